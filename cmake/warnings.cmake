@@ -1,0 +1,13 @@
+# One interface target carries the compiler settings, so that no target differs by accident.
+# Never -ffast-math: sums have a fixed order and NaN must stay visible.
+
+add_library(shprt_settings INTERFACE)
+target_compile_options(shprt_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough
+  # GCC 12 sees overlapping copies in std::string concatenation that are not there (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  $<$<BOOL:${SHPRT_WERROR}>:-Werror>)
+if(SHPRT_SANITIZE)
+  target_compile_options(shprt_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(shprt_settings INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,249 @@
+#include "shprt/scene/ray_caster.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "shprt/base/error.h"
+#include "shprt/scene/point_triangle_distance.h"
+
+namespace shprt {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+#if RTC_VERSION_MAJOR >= 4
+using QueryContext = RTCRayQueryContext;
+void initContext(QueryContext* context) { rtcInitRayQueryContext(context); }
+#else
+using QueryContext = RTCIntersectContext;
+void initContext(QueryContext* context) { rtcInitIntersectContext(context); }
+#endif
+
+// What the filter needs to know about the rays under way. Embree hands the context back by pointer, so ours begins with its.
+struct OcclusionContext {
+  QueryContext base;
+  const IgnoredTriangles* ignored;
+};
+
+struct GeometryData {
+  std::span<const std::uint32_t> positionIds;
+  const std::array<std::uint32_t, 3>* triangles = nullptr;
+
+  bool touches(std::uint32_t triangle, const IgnoredTriangles& ignored) const {
+    for (const std::uint32_t corner : triangles[triangle]) {
+      if ((positionIds.empty() ? corner : positionIds[corner]) == ignored.position) return true;
+    }
+    return std::find(ignored.triangles.begin(), ignored.triangles.end(), triangle) != ignored.triangles.end();
+  }
+};
+
+// Rejects hits on triangles that the origin lies on.
+void filterOcclusion(const RTCFilterFunctionNArguments* arguments) {
+  const auto& data = *static_cast<const GeometryData*>(arguments->geometryUserPtr);
+  const auto* context = reinterpret_cast<const OcclusionContext*>(arguments->context);
+  for (unsigned lane = 0; lane < arguments->N; ++lane) {
+    if (arguments->valid[lane] != -1) continue;
+    const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
+    if (data.touches(triangle, *context->ignored)) arguments->valid[lane] = 0;
+  }
+}
+
+template <int N, typename Packet>
+std::uint32_t tracePacket(RTCScene scene, OcclusionContext& context, Vec3f origin, const RayPacket& rays, int first,
+                          std::uint32_t active, void (*trace)(const int*, RTCScene, OcclusionContext&, Packet*)) {
+  alignas(64) int valid[N];
+  alignas(64) Packet packet;
+  for (int lane = 0; lane < N; ++lane) {
+    valid[lane] = (active >> (first + lane)) & 1u ? -1 : 0;
+    packet.org_x[lane] = origin.x;
+    packet.org_y[lane] = origin.y;
+    packet.org_z[lane] = origin.z;
+    packet.dir_x[lane] = rays.x[first + lane];
+    packet.dir_y[lane] = rays.y[first + lane];
+    packet.dir_z[lane] = rays.z[first + lane];
+    packet.tnear[lane] = 0;
+    packet.tfar[lane] = kInfinity;
+    packet.time[lane] = 0;
+    packet.mask[lane] = ~0u;
+    packet.id[lane] = 0;
+    packet.flags[lane] = 0;
+  }
+  trace(valid, scene, context, &packet);
+  std::uint32_t hit = 0;
+  for (int lane = 0; lane < N; ++lane) {
+    if (valid[lane] && packet.tfar[lane] < 0) hit |= 1u << (first + lane);
+  }
+  return hit;
+}
+
+// The calls that Embree 3 and 4 spell differently.
+#if RTC_VERSION_MAJOR >= 4
+RTCOccludedArguments occludedArguments(OcclusionContext& context) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &context.base;
+  return arguments;
+}
+void traceSixteen(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay16* packet) {
+  RTCOccludedArguments arguments = occludedArguments(context);
+  rtcOccluded16(valid, scene, packet, &arguments);
+}
+void traceEight(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay8* packet) {
+  RTCOccludedArguments arguments = occludedArguments(context);
+  rtcOccluded8(valid, scene, packet, &arguments);
+}
+void traceFour(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay4* packet) {
+  RTCOccludedArguments arguments = occludedArguments(context);
+  rtcOccluded4(valid, scene, packet, &arguments);
+}
+void intersectOne(RTCScene scene, RTCRayHit* rayHit) { rtcIntersect1(scene, rayHit); }
+#else
+void traceSixteen(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay16* packet) {
+  rtcOccluded16(valid, scene, &context.base, packet);
+}
+void traceEight(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay8* packet) {
+  rtcOccluded8(valid, scene, &context.base, packet);
+}
+void traceFour(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay4* packet) {
+  rtcOccluded4(valid, scene, &context.base, packet);
+}
+void intersectOne(RTCScene scene, RTCRayHit* rayHit) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, rayHit);
+}
+#endif
+
+struct NearQuery {
+  Vec3d point;
+  double radius;
+  const Vec3f* positions;
+  const std::array<std::uint32_t, 3>* triangles;
+  std::vector<std::uint32_t> found;
+};
+
+bool collectNear(RTCPointQueryFunctionArguments* arguments) {
+  auto& query = *static_cast<NearQuery*>(arguments->userPtr);
+  const auto& corners = query.triangles[arguments->primID];
+  const double distance = pointTriangleDistance(query.point, toDouble(query.positions[corners[0]]),
+                                                toDouble(query.positions[corners[1]]), toDouble(query.positions[corners[2]]));
+  if (distance <= query.radius) query.found.push_back(arguments->primID);
+  return false;
+}
+
+}  // namespace
+
+struct RayCaster::Impl {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  GeometryData data;
+  const Vec3f* positions = nullptr;
+  int nativeWidth = 4;
+
+  ~Impl() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+  }
+
+  void check(const char* step) const {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_NONE) return;
+    throw Error("Embree", std::string(step) + " failed with error " + std::to_string(static_cast<int>(error)),
+                error == RTC_ERROR_OUT_OF_MEMORY ? "there is not enough memory for this mesh" : "");
+  }
+};
+
+RayCaster::RayCaster(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
+                     std::span<const std::uint32_t> positionIds)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->device = rtcNewDevice(nullptr);
+  if (!impl_->device) throw Error("Embree", "no device could be made");
+  if (rtcGetDeviceProperty(impl_->device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) {
+    impl_->nativeWidth = 16;
+  } else if (rtcGetDeviceProperty(impl_->device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) {
+    impl_->nativeWidth = 8;
+  }
+  impl_->scene = rtcNewScene(impl_->device);
+  rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_MEDIUM);
+  // Robust: rays do not slip between neighbouring triangles.
+  rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
+
+  RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), positions.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(triangles[0]), triangles.size());
+  if (vertices && indices) {
+    std::memcpy(vertices, positions.data(), positions.size_bytes());
+    std::memcpy(indices, triangles.data(), triangles.size_bytes());
+    impl_->positions = static_cast<const Vec3f*>(vertices);
+    impl_->data = {positionIds, static_cast<const std::array<std::uint32_t, 3>*>(indices)};
+    rtcSetGeometryUserData(geometry, &impl_->data);
+    rtcSetGeometryOccludedFilterFunction(geometry, filterOcclusion);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(impl_->scene, geometry);
+  }
+  rtcReleaseGeometry(geometry);
+  impl_->check("the copy of the mesh");
+  rtcCommitScene(impl_->scene);
+  impl_->check("the build of the acceleration structure");
+}
+
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+std::uint32_t RayCaster::occluded(Vec3f origin, const RayPacket& rays, std::uint32_t active,
+                                  const IgnoredTriangles& ignored) const {
+  OcclusionContext context;
+  initContext(&context.base);
+  context.ignored = &ignored;
+  std::uint32_t hit = 0;
+  switch (impl_->nativeWidth) {
+    case 16:
+      hit = tracePacket<16, RTCRay16>(impl_->scene, context, origin, rays, 0, active, traceSixteen);
+      break;
+    case 8:
+      for (int first = 0; first < kRayPacketSize; first += 8) {
+        hit |= tracePacket<8, RTCRay8>(impl_->scene, context, origin, rays, first, active, traceEight);
+      }
+      break;
+    default:
+      for (int first = 0; first < kRayPacketSize; first += 4) {
+        hit |= tracePacket<4, RTCRay4>(impl_->scene, context, origin, rays, first, active, traceFour);
+      }
+  }
+  return hit;
+}
+
+RayHit RayCaster::intersect(Vec3f origin, Vec3f direction) const {
+  RTCRayHit rayHit;
+  rayHit.ray = {.org_x = origin.x, .org_y = origin.y, .org_z = origin.z, .tnear = 0,
+                .dir_x = direction.x, .dir_y = direction.y, .dir_z = direction.z, .time = 0,
+                .tfar = kInfinity, .mask = ~0u, .id = 0, .flags = 0};
+  rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  intersectOne(impl_->scene, &rayHit);
+  if (rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {rayHit.ray.tfar, rayHit.hit.primID, rayHit.hit.u, rayHit.hit.v};
+}
+
+std::vector<std::uint32_t> RayCaster::trianglesNear(Vec3f point, double radius) const {
+  NearQuery near{toDouble(point), radius, impl_->positions, impl_->data.triangles, {}};
+  // Slightly wider than asked, so that rounding inside Embree loses none; collectNear decides.
+  RTCPointQuery query{.x = point.x, .y = point.y, .z = point.z, .time = 0,
+                      .radius = static_cast<float>(radius * 1.5)};
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(impl_->scene, &query, &context, collectNear, &near);
+  std::sort(near.found.begin(), near.found.end());
+  return std::move(near.found);
+}
+
+}  // namespace shprt

@@ -1,0 +1,63 @@
+// Triangles that rays can be traced against: the one door to Embree (3 or 4).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "shprt/base/vec.h"
+
+namespace shprt {
+
+struct RayHit {
+  float distance = -1;  // in units of the ray direction's length; negative when nothing was hit
+  std::uint32_t triangle = 0;
+  float u = 0, v = 0;  // barycentrics of corners 1 and 2
+};
+
+inline constexpr int kRayPacketSize = 16;
+
+// Unit directions of rays from one common origin, one lane each; consecutive in memory.
+struct RayPacket {
+  const float* x;
+  const float* y;
+  const float* z;
+};
+
+// Triangles a ray passes through because its origin lies on them. What they hide is decided exactly elsewhere
+// (transfer/local_horizon.h), so no epsilon has to push the origin off the surface.
+struct IgnoredTriangles {
+  std::uint32_t position = 0;                // all with a corner at this position id
+  std::span<const std::uint32_t> triangles;  // and these, few
+};
+
+// Immutable once built; all queries may run from many threads at once.
+class RayCaster {
+ public:
+  // Coordinates should be near the origin and of order one (scene_frame.h). positionIds has one entry per position
+  // (position_ids.h); empty means each position is its own. Positions and triangles are copied, ids are not: they must
+  // outlive the caster. Throws Error when Embree reports a failure.
+  RayCaster(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
+            std::span<const std::uint32_t> positionIds = {});
+  ~RayCaster();
+  RayCaster(RayCaster&&) noexcept;
+  RayCaster& operator=(RayCaster&&) noexcept;
+
+  // For each lane whose bit is set in `active`: sets its bit in the result when any triangle, except the ignored ones,
+  // lies along the ray at a distance >= 0.
+  std::uint32_t occluded(Vec3f origin, const RayPacket& rays, std::uint32_t active, const IgnoredTriangles& ignored) const;
+
+  // Nearest hit along one ray, for pictures. direction of any nonzero length.
+  RayHit intersect(Vec3f origin, Vec3f direction) const;
+
+  // The triangles nearer to a point than radius, in increasing order.
+  std::vector<std::uint32_t> trianglesNear(Vec3f point, double radius) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace shprt

@@ -1,0 +1,5 @@
+#include <cstdio>
+
+#include "shprt/base/version.h"
+
+int main() { std::printf("shprt %s\n", shprt::kVersion); }
