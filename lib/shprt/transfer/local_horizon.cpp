@@ -1,0 +1,125 @@
+#include "shprt/transfer/local_horizon.h"
+
+#include <cmath>
+
+namespace shprt {
+namespace {
+
+// How far above the own triangle its infinitesimal step rises, as an angle in radians: dihedral angles smaller than this
+// count as closed.
+constexpr double kStepElevation = 1e-3;
+// Edges up to this elevation (sine) above a plane count as lying in it. The lowest of n cosine-distributed rays stands
+// about 1/sqrt(2n) high, 100 times more than this for n = 65536.
+constexpr double kFlat = 1e-6;
+// Wedges whose sine of the opening angle is less are degenerate: their plane is rounding.
+constexpr double kDegenerate = 1e-9;
+
+Vec3d edgeDirection(const SurfaceTopology& topology, std::uint32_t from, std::uint32_t to) {
+  return normalize(toDouble(topology.positions()[to]) - toDouble(topology.positions()[from]));
+}
+
+// Whether the arc between two directions stays below a plane up to kFlat. Nearly opposite ones may rise in between.
+bool staysBelow(Vec3d plane, Vec3d edge1, Vec3d edge2) {
+  return dot(plane, edge1) <= kFlat && dot(plane, edge2) <= kFlat && length(edge1 + edge2) > 0.1;
+}
+
+}  // namespace
+
+void LocalHorizon::addWedge(Vec3d edge1, Vec3d edge2, bool own) {
+  const bool belowNormal = staysBelow(normal_, edge1, edge2);
+  if (own ? belowNormal : belowNormal && staysBelow(facePlane_, edge1, edge2)) return;
+  const Vec3d crossed = cross(edge1, edge2);
+  if (length(crossed) < kDegenerate) return;
+  const Vec3d plane = normalize(crossed);
+  // A direction s edge1 + t edge2 has s >= 0 where inside1 is positive and t >= 0 where inside2 is.
+  const Vec3d inside1 = cross(edge2, plane), inside2 = cross(plane, edge1);
+  Wedge wedge{toFloat(plane), toFloat(inside1), toFloat(inside2), {}, {}, {}};
+  for (const int below : {0, 1}) {
+    const Vec3d step = own || below ? normal_ : faceStep_;
+    wedge.originPlane[below] = static_cast<float>(dot(step, plane));
+    wedge.originInside1[below] = static_cast<float>(dot(step, inside1));
+    wedge.originInside2[below] = static_cast<float>(dot(step, inside2));
+  }
+  wedges_.push_back(wedge);
+}
+
+void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex, std::span<const std::uint32_t> touching) {
+  wedges_.clear();
+  normal_ = topology.normal(vertex);
+  const std::uint32_t position = topology.positionIds()[vertex];
+  const std::uint32_t point = topology.pointIds()[vertex];
+
+  struct Corner {
+    Vec3d edge1, edge2;
+    bool own;
+  };
+  std::vector<Corner> corners;
+  double widest = -1;
+  for (const std::uint32_t triangle : topology.trianglesAt(position)) {
+    const Triangle& t = topology.triangles()[triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (topology.positionIds()[t[k]] != position) continue;
+      const Corner corner{edgeDirection(topology, t[k], t[(k + 1) % 3]), edgeDirection(topology, t[k], t[(k + 2) % 3]),
+                          topology.pointIds()[t[k]] == point};
+      corners.push_back(corner);
+      const Vec3d crossed = cross(corner.edge1, corner.edge2);
+      const double angle = std::atan2(length(crossed), dot(corner.edge1, corner.edge2));
+      if (!corner.own || angle <= widest || length(crossed) < kDegenerate) continue;
+      widest = angle;
+      facePlane_ = normalize(crossed);
+      // The bisector; rotating an edge into the wedge serves opposite edges too.
+      faceStep_ = angle < 3 ? normalize(corner.edge1 + corner.edge2) : cross(facePlane_, corner.edge1);
+      if (dot(facePlane_, normal_) < 0) facePlane_ = -facePlane_;
+      faceStep_ = normalize(faceStep_ + facePlane_ * kStepElevation);
+    }
+  }
+  if (widest < 0) facePlane_ = faceStep_ = normal_;
+  facePlaneFloat_ = toFloat(facePlane_);
+  for (const Corner& corner : corners) addWedge(corner.edge1, corner.edge2, corner.own);
+
+  const Vec3d here = toDouble(topology.positions()[vertex]);
+  for (const std::uint32_t triangle : touching) {
+    Vec3d edges[3];
+    int atCorner = -1;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3d offset = toDouble(topology.positions()[topology.triangles()[triangle][static_cast<std::size_t>(k)]]) - here;
+      if (length(offset) <= 2 * topology.contactDistance()) atCorner = k;
+      edges[k] = normalize(offset);
+    }
+    if (atCorner >= 0) {
+      addWedge(edges[(atCorner + 1) % 3], edges[(atCorner + 2) % 3], false);
+      continue;
+    }
+    // From inside the triangle its three edges span the whole plane. On an edge, that edge's own wedge is flat to
+    // rounding and the other two span the half plane.
+    for (int k = 0; k < 3; ++k) {
+      constexpr double kOnEdge = 1e-3;
+      if (length(cross(edges[k], edges[(k + 1) % 3])) > kOnEdge) addWedge(edges[k], edges[(k + 1) % 3], false);
+    }
+  }
+}
+
+std::uint32_t LocalHorizon::hidden(const RayPacket& rays) const {
+  std::uint32_t mask = 0;
+  std::uint32_t lanes[kRayPacketSize] = {};
+  for (const Wedge& wedge : wedges_) {
+    for (int lane = 0; lane < kRayPacketSize; ++lane) {
+      const Vec3f d{rays.x[lane], rays.y[lane], rays.z[lane]};
+      const bool below = dot(facePlaneFloat_, d) < 0;
+      const float originPlane = below ? wedge.originPlane[1] : wedge.originPlane[0];
+      const float originInside1 = below ? wedge.originInside1[1] : wedge.originInside1[0];
+      const float originInside2 = below ? wedge.originInside2[1] : wedge.originInside2[0];
+      const float plane = dot(wedge.plane, d);
+      // The ray o + t d meets the plane at t = -originPlane / plane, at a point whose two coordinates in the wedge have
+      // the signs of these products (the division by plane^2 is left out).
+      const bool crosses = originPlane * plane < 0;
+      const bool inside1 = (originInside1 * plane - originPlane * dot(wedge.inside1, d)) * plane >= 0;
+      const bool inside2 = (originInside2 * plane - originPlane * dot(wedge.inside2, d)) * plane >= 0;
+      lanes[lane] |= static_cast<std::uint32_t>(crosses & inside1 & inside2);
+    }
+  }
+  for (int lane = 0; lane < kRayPacketSize; ++lane) mask |= lanes[lane] << lane;
+  return mask;
+}
+
+}  // namespace shprt
