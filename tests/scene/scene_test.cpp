@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shprt/scene/point_triangle_distance.h"
-#include "shprt/scene/position_ids.h"
+#include "shprt/mesh/position_ids.h"
 #include "shprt/scene/ray_caster.h"
 #include "shprt/scene/scene_frame.h"
 

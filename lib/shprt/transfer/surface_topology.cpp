@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "shprt/scene/position_ids.h"
+#include "shprt/mesh/position_ids.h"
 #include "shprt/scene/scene_frame.h"
 
 namespace shprt {

@@ -1,0 +1,260 @@
+// Wavefront OBJ: every line is judged, indices are made absolute and checked, faces get their material's number.
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "shprt/base/error.h"
+#include "shprt/mesh/material_library.h"
+#include "shprt/mesh/preflight.h"
+#include "shprt/mesh/text.h"
+
+namespace shprt {
+namespace {
+
+// One corner "v/vt/vn": indices from 0; kNone where the file gives none, kBad where it gives one that cannot be read.
+constexpr std::int64_t kNone = -1, kBad = -2;
+
+struct Corner {
+  std::int64_t position = kBad, texture = kNone, normal = kNone;
+};
+
+class ObjPreflight {
+ public:
+  explicit ObjPreflight(const std::filesystem::path& path) : path_(path) {
+    file_.extension = "obj";
+    file_.report.format = "OBJ";
+  }
+
+  CanonicalFile run(std::string_view text) {
+    std::string joined;
+    while (!text.empty()) {
+      std::string_view line = takeLine(text);
+      // A backslash at the end of a line continues it.
+      if (!line.empty() && line.back() == '\\') {
+        joined.assign(line.substr(0, line.size() - 1));
+        while (!text.empty()) {
+          line = takeLine(text);
+          const bool more = !line.empty() && line.back() == '\\';
+          joined += ' ';
+          joined += more ? line.substr(0, line.size() - 1) : line;
+          if (!more) break;
+        }
+        line = joined;
+      }
+      readLine(line);
+    }
+    writeFaces();
+    finishReport();
+    return std::move(file_);
+  }
+
+ private:
+  void readLine(std::string_view line) {
+    const std::string_view keyword = takeToken(line);
+    if (keyword.empty() || keyword.front() == '#') return;
+    if (keyword == "v") return readPosition(line);
+    if (keyword == "vt") return readTextureCoordinate(line);
+    if (keyword == "vn") return readNormal(line);
+    if (keyword == "f" || keyword == "fo") return readFace(line);
+    if (keyword == "usemtl") return useMaterial(trimBlanks(line));
+    if (keyword == "mtllib") return readMaterials(trimBlanks(line));
+    if (keyword == "g" || keyword == "o" || keyword == "s") return;  // groups have no meaning for a bake
+    ++ignoredLines_[std::string(shownToken(keyword))];
+  }
+
+  void readPosition(std::string_view line) {
+    std::array<std::string_view, 3> tokens;
+    bool usable = true;
+    for (std::string_view& token : tokens) {
+      token = takeToken(line);
+      usable = usable && parseFloat(token).has_value();
+    }
+    if (usable) {
+      positions_ += "v ";
+      for (const std::string_view token : tokens) (positions_ += withoutPlus(token)) += ' ';
+      positions_ += '\n';
+    } else {
+      positions_ += "v 0 0 0\n";
+      file_.unusableVertex.resize(positionCount_ + 1, false);
+      file_.unusableVertex.back() = true;
+      ++file_.report.nonFiniteVertices;
+    }
+    ++positionCount_;
+    takeToken(line);
+    takeToken(line);
+    if (!takeToken(line).empty()) ++colouredVertices_;
+  }
+
+  void readTextureCoordinate(std::string_view line) {
+    const std::string_view first = takeToken(line), second = takeToken(line);
+    const std::optional<float> u = parseFloat(first);
+    const std::optional<float> v = second.empty() ? std::optional<float>(0.0f) : parseFloat(second);
+    usableTexture_.push_back(u && v);
+    textures_ += "vt ";
+    appendFloat(textures_, u.value_or(0));
+    textures_ += ' ';
+    appendFloat(textures_, v.value_or(0));
+    textures_ += '\n';
+  }
+
+  void readNormal(std::string_view line) {
+    normals_ += "vn ";
+    bool usable = true, zero = true;
+    for (int i = 0; i < 3; ++i) {
+      const std::optional<float> value = parseFloat(takeToken(line));
+      usable = usable && value;
+      zero = zero && value.value_or(0) == 0;
+      appendFloat(normals_, value.value_or(0));
+      normals_ += ' ';
+    }
+    normals_ += '\n';
+    usableNormal_.push_back(usable && !zero);
+  }
+
+  void readFace(std::string_view line) {
+    for (std::string_view token = takeToken(line); !token.empty() && token.front() != '#'; token = takeToken(line)) {
+      corners_.push_back(readCorner(token));
+    }
+    faceEnds_.push_back(corners_.size());
+    faceMaterials_.push_back(currentMaterial_);
+  }
+
+  Corner readCorner(std::string_view token) const {
+    Corner corner;
+    const std::size_t slash = token.find('/');
+    corner.position = readIndex(token.substr(0, slash), positionCount_);
+    if (slash == std::string_view::npos) return corner;
+    token.remove_prefix(slash + 1);
+    const std::size_t second = token.find('/');
+    if (second != 0 && !token.empty()) corner.texture = readIndex(token.substr(0, second), usableTexture_.size());
+    if (second == std::string_view::npos || second + 1 == token.size()) return corner;
+    corner.normal = readIndex(token.substr(second + 1), usableNormal_.size());
+    return corner;
+  }
+
+  // Negative indices count back from the latest record.
+  static std::int64_t readIndex(std::string_view token, std::uint64_t soFar) {
+    const std::optional<std::int64_t> index = parseInteger<std::int64_t>(token);
+    if (!index || *index == 0) return kBad;
+    if (*index > 0) return *index - 1;
+    const std::int64_t fromEnd = static_cast<std::int64_t>(soFar) + *index;
+    return fromEnd >= 0 ? fromEnd : kBad;
+  }
+
+  void useMaterial(std::string_view name) {
+    const auto [entry, fresh] = materialNumbers_.try_emplace(std::string(name), static_cast<std::uint32_t>(file_.materials.size()));
+    if (fresh) {
+      file_.materials.emplace_back();
+      file_.materials.back().name = entry->first;
+    }
+    currentMaterial_ = entry->second;
+  }
+
+  void readMaterials(std::string_view names) {
+    // A name may hold blanks, or the line several names: the whole line is tried first.
+    if (readLibrary(names)) return;
+    bool any = false;
+    std::string_view rest = names;
+    for (std::string_view name = takeToken(rest); !name.empty(); name = takeToken(rest)) any = readLibrary(name) || any;
+    if (!any) file_.report.notes.push_back("material file '" + shownToken(names) + "' not found; default albedo used");
+  }
+
+  bool readLibrary(std::string_view name) {
+    std::string relative(name);
+    for (char& c : relative) c = c == '\\' ? '/' : c;
+    const std::filesystem::path library = path_.parent_path() / relative;
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(library, ignored)) return false;
+    readMaterialLibrary(library, library_, file_.report.notes);
+    file_.sources.push_back(library);
+    return true;
+  }
+
+  // Faces come last in the canonical file, so that forward references are ordinary ones.
+  void writeFaces() {
+    file_.report.sourceVertices = positionCount_;
+    if (!file_.unusableVertex.empty()) file_.unusableVertex.resize(positionCount_, false);
+    std::string faces;
+    FaceFilter filter(positionCount_, file_);
+    std::vector<std::int64_t> indices;
+    std::size_t begin = 0;
+    for (std::size_t face = 0; face < faceEnds_.size(); ++face) {
+      const std::size_t end = faceEnds_[face];
+      indices.clear();
+      bool textured = true, withNormals = true;
+      for (std::size_t c = begin; c < end; ++c) {
+        const Corner& corner = corners_[c];
+        indices.push_back(corner.position);
+        textured = textured && isUsable(corner.texture, usableTexture_);
+        withNormals = withNormals && isUsable(corner.normal, usableNormal_);
+        if (corner.texture == kBad || corner.normal == kBad) badAttributes_ = true;
+      }
+      if (filter.keep(indices)) {
+        faces += 'f';
+        for (std::size_t c = begin; c < end; ++c) {
+          faces += ' ';
+          appendInteger(faces, indices[c - begin] + 1);
+          if (textured || withNormals) faces += '/';
+          if (textured) appendInteger(faces, corners_[c].texture + 1);
+          if (withNormals) appendInteger(faces += '/', corners_[c].normal + 1);
+        }
+        faces += '\n';
+        file_.faceMaterials.push_back(faceMaterials_[face]);
+      }
+      begin = end;
+    }
+    file_.faces = file_.faceMaterials.size();
+    file_.vertices = positionCount_ + file_.duplicateOf.size();
+    // Appended vertices only need a place of their own; their positions are copied after parsing.
+    for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i) positions_ += "v 0 0 0\n";
+    file_.bytes = std::move(positions_);
+    file_.bytes += textures_;
+    file_.bytes += normals_;
+    file_.bytes += faces;
+  }
+
+  static bool isUsable(std::int64_t index, const std::vector<bool>& usable) {
+    return index >= 0 && index < static_cast<std::int64_t>(usable.size()) && usable[static_cast<std::size_t>(index)];
+  }
+
+  void finishReport() {
+    for (Material& material : file_.materials) {
+      const auto found = library_.find(material.name);
+      if (found == library_.end()) {
+        if (!material.name.empty()) file_.report.notes.push_back("material '" + shownToken(material.name) + "' is defined nowhere; default albedo used");
+        continue;
+      }
+      material = found->second;
+      if (!material.diffuseTexture.empty()) {
+        file_.report.notes.push_back("texture '" + shownToken(material.diffuseTexture) + "' of material '" + shownToken(material.name) + "' is not sampled yet; its Kd is used");
+      }
+    }
+    if (colouredVertices_) file_.report.notes.push_back("colours of " + countOf(colouredVertices_, "vertex", "vertices") + " ignored");
+    if (badAttributes_) file_.report.notes.push_back("some faces name texture coordinates or normals that cannot be read; they were left without");
+    for (const auto& [keyword, count] : ignoredLines_) {
+      file_.report.notes.push_back(countOf(count, "line") + " '" + keyword + "' ignored");
+      if (file_.report.notes.size() > 50) break;  // a file of garbage has no end of keywords
+    }
+  }
+
+  std::filesystem::path path_;
+  CanonicalFile file_;
+  std::string positions_, textures_, normals_;
+  std::uint64_t positionCount_ = 0, colouredVertices_ = 0;
+  std::vector<bool> usableTexture_, usableNormal_;
+  std::vector<Corner> corners_;
+  std::vector<std::size_t> faceEnds_;
+  std::vector<std::uint32_t> faceMaterials_;
+  std::uint32_t currentMaterial_ = kNoMaterial;
+  std::map<std::string, std::uint32_t> materialNumbers_;
+  MaterialLibrary library_;
+  std::map<std::string, std::uint64_t> ignoredLines_;
+  bool badAttributes_ = false;
+};
+
+}  // namespace
+
+CanonicalFile preflightObj(const std::filesystem::path& path, std::string bytes) { return ObjPreflight(path).run(bytes); }
+
+}  // namespace shprt
