@@ -17,3 +17,13 @@ if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED CONFIG)
 endif()
 message(STATUS "Embree ${embree_VERSION}")
+
+# Debian's OpenImageIO target names include folders of optional packages that it does not depend on; CMake refuses those.
+get_target_property(include_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+set(existing_folders "")
+foreach(folder ${include_folders})
+  if(EXISTS ${folder})
+    list(APPEND existing_folders ${folder})
+  endif()
+endforeach()
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing_folders}")

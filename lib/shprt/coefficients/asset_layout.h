@@ -1,0 +1,27 @@
+// Names and attributes of the asset file, shared by its writer and reader. docs/file-formats.md is the specification.
+#pragma once
+
+namespace shprt::asset_layout {
+
+inline constexpr int kFormatVersion = 1;
+
+// Parts, in file order; textureCoordinates only when the mesh has any.
+inline constexpr const char* kTransfer = "transfer";
+inline constexpr const char* kPositions = "positions";
+inline constexpr const char* kNormals = "normals";
+inline constexpr const char* kAlbedo = "albedo";
+inline constexpr const char* kTextureCoordinates = "textureCoordinates";
+inline constexpr const char* kTriangles = "triangles";
+
+// Attributes of the part `transfer`.
+inline constexpr const char* kVersionAttribute = "shprtFormatVersion";
+inline constexpr const char* kDegreeAttribute = "shprtDegree";
+inline constexpr const char* kConventionAttribute = "shprtConvention";
+inline constexpr const char* kModelAttribute = "shprtModel";
+inline constexpr const char* kRaysAttribute = "shprtRays";
+inline constexpr const char* kMetadataAttribute = "shprtMetadata";
+
+inline constexpr const char* kConvention =
+    "real orthonormal SH, index l(l+1)+m, no Condon-Shortley phase; right-handed, +Y up; linear Rec.709; albedo/pi folded in";
+
+}  // namespace shprt::asset_layout

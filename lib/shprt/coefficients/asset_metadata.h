@@ -1,0 +1,20 @@
+// AssetMetadata as the JSON string that the file carries.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "shprt/coefficients/transfer_asset.h"
+
+namespace shprt {
+
+std::string formatMetadata(const TransferAsset& asset);
+// path is for messages. Fills degree, channels and everything of AssetMetadata; the caller compares the first two with
+// the parts. Throws Error when the text makes no sense.
+struct ParsedMetadata {
+  int degree = 0, channels = 0;
+  AssetMetadata metadata;
+};
+ParsedMetadata parseMetadata(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace shprt

@@ -1,0 +1,86 @@
+#include "shprt/coefficients/json_input.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shprt/base/error.h"
+#include "shprt/base/file.h"
+
+namespace shprt {
+
+nlohmann::json readJsonObject(const std::filesystem::path& path) {
+  constexpr std::uint64_t kMaximumBytes = std::uint64_t{1} << 30;
+  const std::string bytes = readFile(path, kMaximumBytes);
+  nlohmann::json value;
+  try {
+    value = nlohmann::json::parse(bytes);
+  } catch (const nlohmann::json::parse_error& error) {
+    const std::size_t at = std::min<std::size_t>(error.byte > 0 ? error.byte - 1 : 0, bytes.size());
+    const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
+    const std::size_t lineStart = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;  // npos + 1 is 0
+    throw Error(path.string(), "is not valid JSON at line " + std::to_string(line) + ", column " + std::to_string(at - lineStart + 1),
+                "mend the syntax there");
+  }
+  if (!value.is_object()) throw Error(path.string(), "holds no JSON object", "give a file that begins with '{'");
+  return value;
+}
+
+JsonObject::JsonObject(std::string file, std::string place, const nlohmann::json& value)
+    : file_(std::move(file)), place_(std::move(place)), value_(value) {
+  if (!value_.is_object()) throw Error(file_, place_ + " is no object", "write it as {...}");
+}
+
+void JsonObject::fail(std::string_view field, const std::string& problem, const std::string& remedy) const {
+  const std::string name = place_.empty() ? std::string(field) : field.empty() ? place_ : place_ + "." + std::string(field);
+  throw Error(file_, name + " " + problem, remedy);
+}
+
+const nlohmann::json& JsonObject::field(std::string_view name) const {
+  if (!has(name)) fail(name, "is missing", "add it");
+  return value_.at(std::string(name));
+}
+
+std::string JsonObject::text(std::string_view name) const {
+  const nlohmann::json& value = field(name);
+  if (!value.is_string()) fail(name, "is no text", "write it in quotes");
+  return value.get<std::string>();
+}
+
+double JsonObject::number(std::string_view name) const {
+  const nlohmann::json& value = field(name);
+  if (!value.is_number() || !std::isfinite(value.get<double>())) fail(name, "is no finite number");
+  return value.get<double>();
+}
+
+std::int64_t JsonObject::integer(std::string_view name) const {
+  const nlohmann::json& value = field(name);
+  if (!value.is_number_integer()) fail(name, "is no whole number");
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX) fail(name, "is too large");
+  return value.get<std::int64_t>();
+}
+
+std::array<double, 3> JsonObject::triple(std::string_view name) const {
+  const nlohmann::json& value = field(name);
+  if (!value.is_array() || value.size() != 3) fail(name, "does not have three numbers", "write [a, b, c]");
+  std::array<double, 3> numbers{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!value[i].is_number() || !std::isfinite(value[i].get<double>())) fail(name, "has an entry that is no finite number");
+    numbers[i] = value[i].get<double>();
+  }
+  return numbers;
+}
+
+JsonObject JsonObject::object(std::string_view name) const {
+  return {file_, place_.empty() ? std::string(name) : place_ + "." + std::string(name), field(name)};
+}
+
+void JsonObject::allowOnly(std::initializer_list<std::string_view> fields) const {
+  for (const auto& [name, value] : value_.items()) {
+    if (std::find(fields.begin(), fields.end(), name) != fields.end()) continue;
+    std::string known;
+    for (const std::string_view field : fields) known += (known.empty() ? "" : ", ") + std::string(field);
+    fail(name.substr(0, 40), "is not known here", "known fields: " + known);
+  }
+}
+
+}  // namespace shprt

@@ -1,0 +1,41 @@
+// Reading JSON with complaints a user can act on: file, place, and what to do. Internal to the library: the one header
+// that names a type of nlohmann-json, for the rooms that read JSON files.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace shprt {
+
+// The object a file holds. Throws Error with line and column when it is no JSON, and when it is no object.
+nlohmann::json readJsonObject(const std::filesystem::path& path);
+
+// One JSON object of a file and where in the file it is, for messages: "lights[2]".
+class JsonObject {
+ public:
+  JsonObject(std::string file, std::string place, const nlohmann::json& value);
+
+  bool has(std::string_view field) const { return value_.contains(field); }
+  // The field, or Error when it is missing or of another kind. Numbers are finite.
+  const nlohmann::json& field(std::string_view name) const;
+  std::string text(std::string_view name) const;
+  double number(std::string_view name) const;
+  std::int64_t integer(std::string_view name) const;
+  std::array<double, 3> triple(std::string_view name) const;
+  JsonObject object(std::string_view name) const;
+
+  // Throws Error when the object has any other field.
+  void allowOnly(std::initializer_list<std::string_view> fields) const;
+  [[noreturn]] void fail(std::string_view field, const std::string& problem, const std::string& remedy = "") const;
+
+ private:
+  std::string file_, place_;
+  const nlohmann::json& value_;
+};
+
+}  // namespace shprt

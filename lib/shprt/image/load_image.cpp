@@ -1,0 +1,135 @@
+// Pictures through OpenImageIO, which trusts headers: sizes are checked against the file before anything is allocated.
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+
+#include "shprt/base/error.h"
+#include "shprt/base/file.h"
+#include "shprt/image/image.h"
+
+namespace shprt {
+namespace {
+
+// No format that is read here stores a pixel in less than its 2000th part.
+constexpr std::uint64_t kMostExpansion = 2000;
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem, const std::string& remedy = "") {
+  throw Error(path.string(), problem, remedy);
+}
+
+void checkIsFile(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) fail(path, "no such file", "check the path");
+  if (std::filesystem::is_directory(status)) fail(path, "is a directory", "give an image file");
+  if (std::filesystem::file_size(path, ignored) == 0) fail(path, "is empty", "give an image file");
+  std::ifstream file(path, std::ios::binary);
+  char start[24] = {};
+  file.read(start, sizeof start);
+  if (std::string(start, sizeof start).starts_with("version https://git-lfs")) {
+    fail(path, "is a git-LFS pointer, not an image", "fetch it with: git lfs pull");
+  }
+}
+
+// The end of a channel name like "left.R".
+std::string baseName(const std::string& channel) {
+  std::string name = channel.substr(channel.rfind('.') + 1);
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
+// Which channels serve as red, green and blue.
+std::array<int, 3> chooseChannels(const OIIO::ImageSpec& spec, std::vector<std::string>& notes) {
+  std::array<int, 3> chosen = {-1, -1, -1};
+  constexpr std::array<const char*, 3> kShort = {"R", "G", "B"}, kLong = {"RED", "GREEN", "BLUE"};
+  for (int channel = 0; channel < spec.nchannels; ++channel) {
+    const std::string name = channel < static_cast<int>(spec.channelnames.size()) ? baseName(spec.channelnames[static_cast<std::size_t>(channel)]) : "";
+    for (std::size_t colour = 0; colour < 3; ++colour) {
+      if (chosen[colour] < 0 && (name == kShort[colour] || name == kLong[colour])) chosen[colour] = channel;
+    }
+  }
+  const bool named = chosen[0] >= 0 && chosen[1] >= 0 && chosen[2] >= 0;
+  if (!named) chosen = spec.nchannels >= 3 ? std::array<int, 3>{0, 1, 2} : std::array<int, 3>{0, 0, 0};
+  if (chosen[0] == chosen[1]) notes.push_back("one channel, used for all three colours");
+  const int others = spec.nchannels - (chosen[0] == chosen[1] ? 1 : 3);
+  if (others > 0) notes.push_back(std::to_string(others) + (others == 1 ? " further channel ignored" : " further channels ignored"));
+  return chosen;
+}
+
+// Based on: IEC 61966-2-1.
+float decodeSrgb(float value) { return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f); }
+
+}  // namespace
+
+LoadedImage loadImage(const std::filesystem::path& path) {
+  checkIsFile(path);
+  LoadedImage loaded;
+  try {
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) {
+      const std::string reason = OIIO::geterror();
+      fail(path, "cannot be read as an image: " + reason.substr(0, 200), "give a picture in a format that OpenImageIO reads");
+    }
+    const OIIO::ImageSpec& spec = input->spec();
+    const std::uint64_t bytes = std::filesystem::file_size(path);
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1) fail(path, "has no pixels of a flat image");
+    const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+    if (pixels / kMostExpansion > bytes || spec.nchannels > 1024) {
+      fail(path, "claims " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels, more than its " + std::to_string(bytes) + " bytes can hold",
+           "the file is damaged");
+    }
+    loaded.format = input->format_name();
+    const std::string environment = spec.get_string_attribute("textureformat");
+    if (environment == "LatLong Environment") loaded.environmentKind = "latlong";
+    if (environment == "CubeFace Environment") loaded.environmentKind = "cube";
+    const std::array<int, 3> channels = chooseChannels(spec, loaded.notes);
+    const int channelsRead = *std::max_element(channels.begin(), channels.end()) + 1;
+    std::vector<float> values(pixels * static_cast<std::uint64_t>(channelsRead));
+    if (!input->read_image(0, 0, 0, channelsRead, OIIO::TypeDesc::FLOAT, values.data())) {
+      fail(path, "is damaged or truncated: " + input->geterror().substr(0, 200));
+    }
+    const bool encoded = spec.format.is_floating_point() == false;
+    if (encoded) loaded.notes.push_back("integer pixels decoded from sRGB to linear");
+    loaded.image.width = spec.width;
+    loaded.image.height = spec.height;
+    loaded.image.pixels.resize(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const float* pixel = &values[i * static_cast<std::size_t>(channelsRead)];
+      const auto channel = [&](std::size_t colour) {
+        const float value = pixel[channels[colour]];
+        return encoded ? decodeSrgb(value) : value;
+      };
+      loaded.image.pixels[i] = {channel(0), channel(1), channel(2)};
+    }
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& problem) {
+    fail(path, std::string("cannot be read as an image: ") + problem.what(), "the file is damaged");
+  }
+  return loaded;
+}
+
+void saveImage(const std::filesystem::path& path, const Image& image) {
+  const std::string suffix = path.extension().string();
+  const bool linear = suffix == ".exr" || suffix == ".hdr";
+  AtomicFile target(path);
+  const auto output = OIIO::ImageOutput::create(target.path().string());
+  if (!output) fail(path, "has a suffix that is no image format", "use .png, .exr, .hdr or .jpg");
+  OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+  if (suffix == ".exr") spec.attribute("compression", "zip");
+  spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+  bool good = output->open(target.path().string(), spec);
+  good = good && output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
+  // What cannot be written any more often shows only when the file is closed.
+  good = output->close() && good;
+  std::error_code ignored;
+  if (good && std::filesystem::is_regular_file(target.path(), ignored)) good = std::filesystem::file_size(target.path(), ignored) > 0;
+  if (!good) fail(path, "cannot be written: " + output->geterror().substr(0, 200));
+  target.commit();
+}
+
+}  // namespace shprt
