@@ -47,7 +47,7 @@ TransferCoefficients bakeRandom(const Mesh& mesh, std::span<const Vec3f> albedo,
         }
         const RayPacket packet{x, dy, z};
         std::uint32_t visible = 0xffff & ~horizon.hidden(packet);
-        if (visible) visible &= ~caster.occluded(topology.positions()[vertex], packet, visible, {topology.positionIds()[vertex], {}});
+        if (visible) visible &= ~caster.occluded(topology.positions()[vertex], packet, visible, {topology.positionIds()[vertex], {}, static_cast<float>(topology.contactDistance())});
         for (int lane = 0; lane < kRayPacketSize; ++lane) {
           if (!((visible >> lane) & 1u)) continue;
           evaluateSh(degree, d[lane], y);

@@ -33,7 +33,7 @@ function(shprt_room_test name)
   target_compile_definitions(test_${name} PRIVATE
     SHPRT_SHARED_DIR="${SHPRT_SHARED_DIR}" SHPRT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     SHPRT_TEST_OUTPUT_DIR="${CMAKE_CURRENT_BINARY_DIR}/output/${name}")
-  target_link_libraries(test_${name} PRIVATE ${rooms} shprt_settings GTest::gtest GTest::gtest_main)
+  target_link_libraries(test_${name} PRIVATE ${rooms} shprt_settings nlohmann_json::nlohmann_json GTest::gtest GTest::gtest_main)
   file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/output/${name})
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
     PROPERTIES SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")

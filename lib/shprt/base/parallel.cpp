@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <memory>
@@ -43,6 +44,10 @@ void parallelForBlocks(std::size_t count, std::size_t blockSize,
     const std::size_t begin = block * blockSize;
     body(begin, std::min(begin + blockSize, count));
   });
+}
+
+void parallelInvoke(const std::function<void()>& first, const std::function<void()>& second) {
+  tbb::parallel_invoke(first, second);
 }
 
 }  // namespace shprt

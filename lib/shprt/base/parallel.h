@@ -16,4 +16,7 @@ int threadCount();
 void parallelForBlocks(std::size_t count, std::size_t blockSize,
                        const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+// Runs both, at the same time where there are two threads.
+void parallelInvoke(const std::function<void()>& first, const std::function<void()>& second);
+
 }  // namespace shprt

@@ -20,6 +20,8 @@ nlohmann::json readJsonObject(const std::filesystem::path& path) {
     const std::size_t lineStart = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;  // npos + 1 is 0
     throw Error(path.string(), "is not valid JSON at line " + std::to_string(line) + ", column " + std::to_string(at - lineStart + 1),
                 "mend the syntax there");
+  } catch (const nlohmann::json::exception&) {
+    throw Error(path.string(), "is JSON with a number beyond the range of double", "mend that number");
   }
   if (!value.is_object()) throw Error(path.string(), "holds no JSON object", "give a file that begins with '{'");
   return value;

@@ -115,31 +115,32 @@ double discArea(double left, double right, double bottom, double top) {
 PixelFootprint ballFootprint(bool mirrored, int width, int height, int x, int y) {
   const double left = 2.0 * x / width - 1, right = 2.0 * (x + 1) / width - 1;
   const double top = 1 - 2.0 * y / height, bottom = 1 - 2.0 * (y + 1) / height;
-  const double inside = discArea(left, right, bottom, top);
-  if (inside <= 0) return {};
-  const double u = (left + right) / 2, v = (top + bottom) / 2;
   const double full = (right - left) * (top - bottom);
-  // Where the disc covers only a part, the density is taken at the middle of that part.
-  if (inside >= full * (1 - 1e-12)) {
-    // Simpson's rule along both sides is exact to the fourth order of the pixel's size.
-    const double du = (right - left) / 2, dv = (top - bottom) / 2;
-    double density = 0;
-    for (const int i : {-1, 0, 1})
-      for (const int j : {-1, 0, 1}) density += (i ? 1 : 4) * (j ? 1 : 4) * ballDensity(mirrored, u + i * du, v + j * dv) / 36;
-    return {ballDirection(mirrored, u, v), full * density};
-  }
-  double sumU = 0, sumV = 0, sumDensity = 0;
-  int count = 0;
-  constexpr int kSteps = 16;
-  for (int i = 0; i < kSteps; ++i)
-    for (int j = 0; j < kSteps; ++j) {
-      const double a = left + (right - left) * (i + 0.5) / kSteps, b = bottom + (top - bottom) * (j + 0.5) / kSteps;
-      if (std::hypot(a, b) >= 1) continue;
-      sumU += a, sumV += b, sumDensity += ballDensity(mirrored, a, b);
-      ++count;
+  const double inside = discArea(left, right, bottom, top);
+  if (inside <= 1e-12 * full) return {};
+  const double u = (left + right) / 2, v = (top + bottom) / 2;
+  // The mean density over the pixel: by Simpson's rule where it lies inside the disc, by midpoints of its part inside
+  // elsewhere, whose middle also gives the direction.
+  const bool whole = inside >= full * (1 - 1e-12);
+  const int steps = whole ? 3 : 16;
+  double density = 0, weights = 0, sumU = 0, sumV = 0;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      const double s = whole ? (i - 1) / 2.0 : (i + 0.5) / steps - 0.5, t = whole ? (j - 1) / 2.0 : (j + 0.5) / steps - 0.5;
+      const double a = u + s * (right - left), b = v + t * (top - bottom);
+      if (!whole && std::hypot(a, b) >= 1) continue;
+      const double weight = whole ? (i == 1 ? 4 : 1) * (j == 1 ? 4 : 1) : 1;
+      density += weight * ballDensity(mirrored, a, b);
+      sumU += weight * a, sumV += weight * b;
+      weights += weight;
     }
-  if (count == 0) return {ballDirection(mirrored, u, v), inside * ballDensity(mirrored, u / std::hypot(u, v), v / std::hypot(u, v))};
-  return {ballDirection(mirrored, sumU / count, sumV / count), inside * sumDensity / count};
+  // A sliver of the rim that no midpoint hits.
+  if (weights == 0) return {ballDirection(mirrored, u, v), inside * ballDensity(mirrored, u / std::hypot(u, v), v / std::hypot(u, v))};
+  if (whole) return {ballDirection(mirrored, u, v), inside * density / weights};
+  // Sums over pixel centres miss (h^2/24) times the outward derivative along the rim (Euler and Maclaurin). Partial pixels, half a
+  // pixel wide on average, make up for it when they look h/12 further out.
+  const double outward = 1 + (right - left) / 12 / std::hypot(sumU / weights, sumV / weights);
+  return {ballDirection(mirrored, outward * sumU / weights, outward * sumV / weights), inside * density / weights};
 }
 
 PixelPosition ballPosition(bool mirrored, int width, int height, Vec3d direction) {

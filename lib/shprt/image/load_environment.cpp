@@ -155,7 +155,13 @@ EnvironmentMap loadEnvironment(const fs::path& path, std::optional<EnvironmentLa
 
 Vec3f sampleEnvironment(const EnvironmentMap& map, Vec3d direction) {
   const Image& image = map.image;
-  const PixelPosition position = pixelPosition(map.layout, image.width, image.height, direction);
+  PixelPosition position = pixelPosition(map.layout, image.width, image.height, direction);
+  if (map.layout == EnvironmentLayout::kAngularMap || map.layout == EnvironmentLayout::kMirroredBall) {
+    // All four pixels around a sample must lie inside the disc.
+    const double centre = image.width / 2.0, reach = std::max(centre - 1.5, 0.0);
+    const double radius = std::hypot(position.x - centre, position.y - centre);
+    if (radius > reach) position = {centre + (position.x - centre) * reach / radius, centre + (position.y - centre) * reach / radius};
+  }
   const double x = position.x - 0.5, y = position.y - 0.5;
   const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
   const float fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <string_view>
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
@@ -33,6 +35,25 @@ void checkIsFile(const std::filesystem::path& path) {
   if (std::string(start, sizeof start).starts_with("version https://git-lfs")) {
     fail(path, "is a git-LFS pointer, not an image", "fetch it with: git lfs pull");
   }
+}
+
+// libpng reports damage on standard error by itself, so a PNG's chunks are walked before it sees them.
+bool isCutPng(const std::filesystem::path& path) {
+  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+  std::ifstream file(path, std::ios::binary);
+  char head[8] = {};
+  if (!file.read(head, 8) || std::string_view(head, 8) != kSignature) return false;
+  const std::uint64_t size = std::filesystem::file_size(path);
+  std::uint64_t at = 8;
+  while (at + 12 <= size) {
+    unsigned char chunk[8];
+    file.seekg(static_cast<std::streamoff>(at));
+    if (!file.read(reinterpret_cast<char*>(chunk), 8)) return true;
+    const std::uint64_t length = std::uint64_t{chunk[0]} << 24 | std::uint64_t{chunk[1]} << 16 | std::uint64_t{chunk[2]} << 8 | chunk[3];
+    at += 12 + length;
+    if (std::string_view(reinterpret_cast<char*>(chunk) + 4, 4) == "IEND") return at > size;
+  }
+  return true;
 }
 
 // The end of a channel name like "left.R".
@@ -67,6 +88,7 @@ float decodeSrgb(float value) { return value <= 0.04045f ? value / 12.92f : std:
 
 LoadedImage loadImage(const std::filesystem::path& path) {
   checkIsFile(path);
+  if (isCutPng(path)) fail(path, "is a truncated or damaged PNG file", "copy it again");
   LoadedImage loaded;
   try {
     const auto input = OIIO::ImageInput::open(path.string());

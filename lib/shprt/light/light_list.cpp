@@ -42,7 +42,7 @@ LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesyst
     list.notes.push_back(name + ": layout " + layoutName(map.layout) + " (" + map.layoutReason + ")");
     for (const std::string& note : map.notes) list.notes.push_back(name + ": " + note);
     if (projection.nonFinitePixels) list.notes.push_back(name + ": " + std::to_string(projection.nonFinitePixels) + " pixels that are not finite left out");
-    if (projection.negativePixels) list.notes.push_back(name + ": " + std::to_string(projection.negativePixels) + " negative pixels clamped to 0");
+    if (projection.negativePixels) list.notes.push_back(name + ": " + std::to_string(projection.negativePixels) + " negative pixels, used as they are");
   }
   if (entry.has("rotate")) light = rotateLight(light, parseRotation(entry.text("rotate")));
   return scaleLight(light, scale);

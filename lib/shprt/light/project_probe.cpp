@@ -32,7 +32,7 @@ struct PartialSum {
 };
 
 // Counts and mends one pixel.
-bool usePixel(const Vec3f& pixel, double solidAngle, std::array<double, 3>& radiance, PartialSum& sum) {
+bool usePixel(const Vec3f& pixel, double solidAngle, bool clampNegative, std::array<double, 3>& radiance, PartialSum& sum) {
   ++sum.pixels;
   if (!isFinite(pixel)) {
     ++sum.nonFinite;
@@ -41,7 +41,9 @@ bool usePixel(const Vec3f& pixel, double solidAngle, std::array<double, 3>& radi
   radiance = {static_cast<double>(pixel.x), static_cast<double>(pixel.y), static_cast<double>(pixel.z)};
   if (radiance[0] < 0 || radiance[1] < 0 || radiance[2] < 0) {
     ++sum.negative;
-    for (double& value : radiance) value = std::max(value, 0.0);
+    if (clampNegative) {
+      for (double& value : radiance) value = std::max(value, 0.0);
+    }
   }
   sum.solidAngle += solidAngle;
   for (std::size_t c = 0; c < 3; ++c) sum.energy[c] += solidAngle * radiance[c] * radiance[c];
@@ -81,7 +83,8 @@ double dotProduct(const double* a, const double* b, std::size_t count) {
 }
 
 // Coefficients about the picture's own pole: local z is +Y, local x is +Z, local y is +X.
-void addLatitudeRow(const Image& image, int y, int degree, const LongitudeTables& tables, PartialSum& sum) {
+void addLatitudeRow(const Image& image, int y, const ProjectOptions& options, const LongitudeTables& tables, PartialSum& sum) {
+  const int degree = options.degree;
   const int width = image.width;
   const std::size_t half = tables.half();
   const double solidAngle = pixelFootprint(EnvironmentLayout::kLatitudeLongitude, width, image.height, 0, y).solidAngle;
@@ -89,7 +92,7 @@ void addLatitudeRow(const Image& image, int y, int degree, const LongitudeTables
   for (int c = 0; c < 3; ++c) even[c].assign(half, 0.0), odd[c].assign(half, 0.0);
   for (int x = 0; x < width; ++x) {
     std::array<double, 3> radiance;
-    if (!usePixel(image.at(x, y), solidAngle, radiance, sum)) continue;
+    if (!usePixel(image.at(x, y), solidAngle, options.clampNegative, radiance, sum)) continue;
     const bool mirrored = x >= static_cast<int>(half);
     const auto column = static_cast<std::size_t>(mirrored ? width - 1 - x : x);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -112,13 +115,13 @@ void addLatitudeRow(const Image& image, int y, int degree, const LongitudeTables
     }
 }
 
-void addRow(const EnvironmentMap& map, int y, int degree, PartialSum& sum) {
-  std::vector<double> basis(static_cast<std::size_t>(coefficientCount(degree)));
+void addRow(const EnvironmentMap& map, int y, const ProjectOptions& options, PartialSum& sum) {
+  std::vector<double> basis(static_cast<std::size_t>(coefficientCount(options.degree)));
   for (int x = 0; x < map.image.width; ++x) {
     const PixelFootprint footprint = pixelFootprint(map.layout, map.image.width, map.image.height, x, y);
     std::array<double, 3> radiance;
-    if (footprint.solidAngle <= 0 || !usePixel(map.image.at(x, y), footprint.solidAngle, radiance, sum)) continue;
-    evaluateSh(degree, footprint.direction, basis);
+    if (footprint.solidAngle <= 0 || !usePixel(map.image.at(x, y), footprint.solidAngle, options.clampNegative, radiance, sum)) continue;
+    evaluateSh(options.degree, footprint.direction, basis);
     for (std::size_t i = 0; i < basis.size(); ++i)
       for (std::size_t c = 0; c < 3; ++c) sum.coefficients[i][c] += footprint.solidAngle * basis[i] * radiance[c];
   }
@@ -149,8 +152,8 @@ ProbeProjection projectProbe(const EnvironmentMap& map, const ProjectOptions& op
     PartialSum& part = parts[begin / kRowsPerBlock];
     part.coefficients.resize(coefficients);
     for (std::size_t y = begin; y < end; ++y) {
-      if (separable) addLatitudeRow(map.image, static_cast<int>(y), options.degree, tables, part);
-      else addRow(map, static_cast<int>(y), options.degree, part);
+      if (separable) addLatitudeRow(map.image, static_cast<int>(y), options, tables, part);
+      else addRow(map, static_cast<int>(y), options, part);
     }
   });
   PartialSum total;

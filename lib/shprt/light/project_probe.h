@@ -16,7 +16,7 @@ struct ProbeProjection {
   LightCoefficients light;
   std::uint64_t pixels = 0;             // that show a direction
   std::uint64_t nonFinitePixels = 0;    // NaN or infinite in any channel: left out, the rest stands for their solid angle
-  std::uint64_t negativePixels = 0;     // negative channel values clamped to 0 (unless kept)
+  std::uint64_t negativePixels = 0;     // negative in any channel: used as they are, or clamped to 0 when asked
   double solidAngle = 0;                // of the pixels used, steradian; 4 pi when all are
   std::array<double, 3> energy{};       // integral of radiance^2 over the sphere
   std::array<double, 3> energyMissed{}; // share of it in [0,1] that the degree does not hold
@@ -24,7 +24,8 @@ struct ProbeProjection {
 
 struct ProjectOptions {
   int degree = 4;
-  bool strict = false;        // refuse (Error) NaN, infinite and negative pixels instead of mending them
+  bool clampNegative = false;  // Negative pixels come from sharpening filters that overshoot; kept, they cancel the overshoot.
+  bool strict = false;         // refuse (Error) NaN, infinite and negative pixels
 };
 
 ProbeProjection projectProbe(const EnvironmentMap& map, const ProjectOptions& options);

@@ -35,14 +35,13 @@ struct Slopes {
 
 // Where along one axis the eye sees the points' two ends equally far from the picture's middle. The axis that
 // decides the distance is there already; on the other, the slack is shared between both sides.
-double balance(std::span<const Vec3f> positions, Vec3d origin, Vec3d axis, Vec3d back, double eyeDepth,
-               double middle) {
+double balance(std::span<const Vec3f> positions, Vec3d axis, Vec3d back, double eyeDepth, double middle) {
   constexpr int kRounds = 6;  // each is exact for the ends it finds, and the ends change rarely
   for (int round = 0; round < kRounds; ++round) {
     double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
     double high = middle, low = middle, highDepth = 1, lowDepth = 1;
     for (const Vec3f& position : positions) {
-      const Vec3d p = toDouble(position) - origin;
+      const Vec3d p = toDouble(position);
       const double along = dot(p, axis), depth = eyeDepth - dot(p, back);
       const double seen = (along - middle) / depth;
       if (seen > highest) highest = seen, high = along, highDepth = depth;
@@ -71,12 +70,10 @@ Camera fitCamera(std::span<const Vec3f> positions, Vec3d directionToEye, Vec3d u
   assert(!positions.empty() && aspect > 0);
   const CameraAxes axes = cameraAxes(directionToEye, up);
   const double tangent = std::tan(0.5 * verticalFovDegrees * kRadiansPerDegree) * (1 - kFrameMargin);
-  // Relative to one of the points, so that a small mesh far from the origin loses nothing.
-  const Vec3d origin = toDouble(positions[0]);
   Slopes horizontal, vertical;
   double nearest = -std::numeric_limits<double>::infinity(), farthest = -nearest;
   for (const Vec3f& position : positions) {
-    const Vec3d p = toDouble(position) - origin;
+    const Vec3d p = toDouble(position);
     const double z = dot(p, axes.back);
     horizontal.add(dot(p, axes.right), z, tangent * aspect);
     vertical.add(dot(p, axes.up), z, tangent);
@@ -90,9 +87,9 @@ Camera fitCamera(std::span<const Vec3f> positions, Vec3d directionToEye, Vec3d u
   depth = std::max(depth, nearest + 1e-3 * size);
 
   Camera camera;
-  const double x = balance(positions, origin, axes.right, axes.back, depth, horizontal.middle());
-  const double y = balance(positions, origin, axes.up, axes.back, depth, vertical.middle());
-  const Vec3d axis = origin + axes.right * x + axes.up * y;
+  const double x = balance(positions, axes.right, axes.back, depth, horizontal.middle());
+  const double y = balance(positions, axes.up, axes.back, depth, vertical.middle());
+  const Vec3d axis = axes.right * x + axes.up * y;
   camera.eye = axis + axes.back * depth;
   camera.target = axis + axes.back * (0.5 * (nearest + farthest));
   camera.up = axes.up;

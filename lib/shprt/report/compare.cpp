@@ -19,12 +19,13 @@ class Tally {
 
   void add(double a, double b) {
     ++differences_.compared;
-    const double error = a == b ? 0 : std::abs(a - b);
+    referenceSquares_ += a * a;
+    if (a == b) return;
+    const double error = std::abs(a - b);
     const double allowed = tolerance_.absolute + tolerance_.relative * std::max(std::abs(a), std::abs(b));
     if (!(error <= allowed)) ++differences_.beyond;
-    if (!(error <= differences_.maximumError)) differences_.maximumError = error;
+    if (!(error <= differences_.maximumError) && !std::isnan(differences_.maximumError)) differences_.maximumError = error;
     squares_ += error * error;
-    referenceSquares_ += a * a;
   }
 
   Differences result() const {

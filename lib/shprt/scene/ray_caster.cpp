@@ -37,11 +37,15 @@ struct GeometryData {
   std::span<const std::uint32_t> positionIds;
   const std::array<std::uint32_t, 3>* triangles = nullptr;
 
-  bool touches(std::uint32_t triangle, const IgnoredTriangles& ignored) const {
+  bool hasCornerAt(std::uint32_t triangle, std::uint32_t position) const {
     for (const std::uint32_t corner : triangles[triangle]) {
-      if ((positionIds.empty() ? corner : positionIds[corner]) == ignored.position) return true;
+      if ((positionIds.empty() ? corner : positionIds[corner]) == position) return true;
     }
-    return std::find(ignored.triangles.begin(), ignored.triangles.end(), triangle) != ignored.triangles.end();
+    return false;
+  }
+  bool isIgnored(std::uint32_t triangle, const IgnoredTriangles& ignored) const {
+    return hasCornerAt(triangle, ignored.position) ||
+           std::find(ignored.triangles.begin(), ignored.triangles.end(), triangle) != ignored.triangles.end();
   }
 };
 
@@ -52,7 +56,7 @@ void filterOcclusion(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned lane = 0; lane < arguments->N; ++lane) {
     if (arguments->valid[lane] != -1) continue;
     const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
-    if (data.touches(triangle, *context->ignored)) arguments->valid[lane] = 0;
+    if (data.isIgnored(triangle, *context->ignored)) arguments->valid[lane] = 0;
   }
 }
 
@@ -69,7 +73,7 @@ std::uint32_t tracePacket(RTCScene scene, OcclusionContext& context, Vec3f origi
     packet.dir_x[lane] = rays.x[first + lane];
     packet.dir_y[lane] = rays.y[first + lane];
     packet.dir_z[lane] = rays.z[first + lane];
-    packet.tnear[lane] = 0;
+    packet.tnear[lane] = context.ignored->distance;
     packet.tfar[lane] = kInfinity;
     packet.time[lane] = 0;
     packet.mask[lane] = ~0u;
@@ -125,14 +129,16 @@ void intersectOne(RTCScene scene, RTCRayHit* rayHit) {
 struct NearQuery {
   Vec3d point;
   double radius;
+  std::uint32_t exceptPosition;
   const Vec3f* positions;
-  const std::array<std::uint32_t, 3>* triangles;
+  const GeometryData* data;
   std::vector<std::uint32_t> found;
 };
 
 bool collectNear(RTCPointQueryFunctionArguments* arguments) {
   auto& query = *static_cast<NearQuery*>(arguments->userPtr);
-  const auto& corners = query.triangles[arguments->primID];
+  if (query.data->hasCornerAt(arguments->primID, query.exceptPosition)) return false;
+  const auto& corners = query.data->triangles[arguments->primID];
   const double distance = pointTriangleDistance(query.point, toDouble(query.positions[corners[0]]),
                                                 toDouble(query.positions[corners[1]]), toDouble(query.positions[corners[2]]));
   if (distance <= query.radius) query.found.push_back(arguments->primID);
@@ -234,8 +240,8 @@ RayHit RayCaster::intersect(Vec3f origin, Vec3f direction) const {
   return {rayHit.ray.tfar, rayHit.hit.primID, rayHit.hit.u, rayHit.hit.v};
 }
 
-std::vector<std::uint32_t> RayCaster::trianglesNear(Vec3f point, double radius) const {
-  NearQuery near{toDouble(point), radius, impl_->positions, impl_->data.triangles, {}};
+std::vector<std::uint32_t> RayCaster::trianglesNear(Vec3f point, double radius, std::uint32_t exceptPosition) const {
+  NearQuery near{toDouble(point), radius, exceptPosition, impl_->positions, &impl_->data, {}};
   // Slightly wider than asked, so that rounding inside Embree loses none; collectNear decides.
   RTCPointQuery query{.x = point.x, .y = point.y, .z = point.z, .time = 0,
                       .radius = static_cast<float>(radius * 1.5)};

@@ -31,6 +31,9 @@ struct RayPacket {
 struct IgnoredTriangles {
   std::uint32_t position = 0;                // all with a corner at this position id
   std::span<const std::uint32_t> triangles;  // and these, few
+  // A distance within which every triangle is among the ignored ones. Rays start there: that loses nothing, and spares most of
+  // the calls that would tell ignored triangles from others.
+  float distance = 0;
 };
 
 // Immutable once built; all queries may run from many threads at once.
@@ -46,14 +49,14 @@ class RayCaster {
   RayCaster& operator=(RayCaster&&) noexcept;
 
   // For each lane whose bit is set in `active`: sets its bit in the result when any triangle, except the ignored ones,
-  // lies along the ray at a distance >= 0.
+  // lies along the ray at a distance of at least ignored.distance.
   std::uint32_t occluded(Vec3f origin, const RayPacket& rays, std::uint32_t active, const IgnoredTriangles& ignored) const;
 
   // Nearest hit along one ray, for pictures. direction of any nonzero length.
   RayHit intersect(Vec3f origin, Vec3f direction) const;
 
-  // The triangles nearer to a point than radius, in increasing order.
-  std::vector<std::uint32_t> trianglesNear(Vec3f point, double radius) const;
+  // The triangles nearer to a point than radius, in increasing order, without those that have a corner at the position id.
+  std::vector<std::uint32_t> trianglesNear(Vec3f point, double radius, std::uint32_t exceptPosition) const;
 
  private:
   struct Impl;

@@ -1,6 +1,7 @@
 #include "shprt/transfer/local_horizon.h"
 
 #include <cmath>
+#include <cstring>
 
 namespace shprt {
 namespace {
@@ -100,25 +101,30 @@ void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex
 }
 
 std::uint32_t LocalHorizon::hidden(const RayPacket& rays) const {
+  // Four lanes at a time, in the compiler's vectors: the width that every processor has registers for.
+  constexpr int kWidth = 4;
+  using Lanes = float __attribute__((vector_size(sizeof(float) * kWidth)));
+  using Masks = std::int32_t __attribute__((vector_size(sizeof(std::int32_t) * kWidth)));
   std::uint32_t mask = 0;
-  std::uint32_t lanes[kRayPacketSize] = {};
-  for (const Wedge& wedge : wedges_) {
-    for (int lane = 0; lane < kRayPacketSize; ++lane) {
-      const Vec3f d{rays.x[lane], rays.y[lane], rays.z[lane]};
-      const bool below = dot(facePlaneFloat_, d) < 0;
-      const float originPlane = below ? wedge.originPlane[1] : wedge.originPlane[0];
-      const float originInside1 = below ? wedge.originInside1[1] : wedge.originInside1[0];
-      const float originInside2 = below ? wedge.originInside2[1] : wedge.originInside2[0];
-      const float plane = dot(wedge.plane, d);
+  for (int first = 0; first < kRayPacketSize; first += kWidth) {
+    Lanes x, y, z;
+    std::memcpy(&x, rays.x + first, sizeof x);
+    std::memcpy(&y, rays.y + first, sizeof y);
+    std::memcpy(&z, rays.z + first, sizeof z);
+    const auto form = [&](const Vec3f& f) { return f.x * x + f.y * y + f.z * z; };
+    const Masks below = form(facePlaneFloat_) < 0;
+    const auto choose = [&](const float (&origin)[2]) { return below ? Lanes{} + origin[1] : Lanes{} + origin[0]; };
+    Masks hiddenLanes{};
+    for (const Wedge& wedge : wedges_) {
+      const Lanes plane = form(wedge.plane), originPlane = choose(wedge.originPlane);
       // The ray o + t d meets the plane at t = -originPlane / plane, at a point whose two coordinates in the wedge have
       // the signs of these products (the division by plane^2 is left out).
-      const bool crosses = originPlane * plane < 0;
-      const bool inside1 = (originInside1 * plane - originPlane * dot(wedge.inside1, d)) * plane >= 0;
-      const bool inside2 = (originInside2 * plane - originPlane * dot(wedge.inside2, d)) * plane >= 0;
-      lanes[lane] |= static_cast<std::uint32_t>(crosses & inside1 & inside2);
+      const Lanes side1 = (choose(wedge.originInside1) * plane - originPlane * form(wedge.inside1)) * plane;
+      const Lanes side2 = (choose(wedge.originInside2) * plane - originPlane * form(wedge.inside2)) * plane;
+      hiddenLanes |= (originPlane * plane < 0) & (side1 >= 0) & (side2 >= 0);
     }
+    for (int lane = 0; lane < kWidth; ++lane) mask |= (hiddenLanes[lane] != 0 ? 1u : 0u) << (first + lane);
   }
-  for (int lane = 0; lane < kRayPacketSize; ++lane) mask |= lanes[lane] << lane;
   return mask;
 }
 

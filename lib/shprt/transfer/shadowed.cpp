@@ -59,7 +59,8 @@ class VertexBaker {
   int traceVisibility(std::uint32_t vertex) {
     const Vec3f origin = topology_.positions()[vertex];
     const std::uint32_t position = topology_.positionIds()[vertex];
-    const std::vector<std::uint32_t> touching = touchingTriangles(origin, position);
+    const std::vector<std::uint32_t> touching = caster_.trianglesNear(origin, topology_.contactDistance(), position);
+    const IgnoredTriangles ignored{position, touching, static_cast<float>(topology_.contactDistance())};
     horizon_.prepare(topology_, vertex, touching);
     int visible = 0;
     for (std::size_t packet = 0; packet < visible_.size(); ++packet) {
@@ -68,23 +69,12 @@ class VertexBaker {
       const int lanes = std::min(kRayPacketSize, options_.rays - static_cast<int>(first));
       std::uint32_t active = (1u << lanes) - 1;
       if (!horizon_.empty()) active &= ~horizon_.hidden(rays);
-      if (active) active &= ~caster_.occluded(origin, rays, active, {position, touching});
+      if (active) active &= ~caster_.occluded(origin, rays, active, ignored);
       visible_[packet] = active;
       visible += __builtin_popcount(active);
     }
     raysTraced_ += static_cast<std::uint64_t>(options_.rays);
     return visible;
-  }
-
-  // Triangles the vertex lies on without being a corner of them.
-  std::vector<std::uint32_t> touchingTriangles(Vec3f origin, std::uint32_t position) const {
-    std::vector<std::uint32_t> near = caster_.trianglesNear(origin, topology_.contactDistance());
-    std::erase_if(near, [&](std::uint32_t triangle) {
-      const Triangle& t = topology_.triangles()[triangle];
-      return topology_.positionIds()[t[0]] == position || topology_.positionIds()[t[1]] == position ||
-             topology_.positionIds()[t[2]] == position;
-    });
-    return near;
   }
 
   // transfer = share * unshadowed + mean over rays of (V - share) y.

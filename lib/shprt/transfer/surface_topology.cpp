@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shprt/base/parallel.h"
 #include "shprt/mesh/position_ids.h"
 #include "shprt/scene/scene_frame.h"
 
@@ -31,19 +32,23 @@ Grouping groupBy(std::size_t itemCount, const auto& groupOf) {
 }  // namespace
 
 SurfaceTopology::SurfaceTopology(const Mesh& mesh)
-    : mesh_(&mesh),
-      positions_(toScene(chooseSceneFrame(mesh.positions), mesh.positions)),
-      positionIds_(distinctPositionIds(mesh.positions)),
-      pointIds_(distinctPointIds(mesh.positions, mesh.normals)) {
-  Grouping points = groupBy(pointIds_.size(), [&](std::size_t vertex) { return pointIds_[vertex]; });
-  pointStarts_ = std::move(points.starts);
-  pointVertices_ = std::move(points.members);
-
-  Grouping corners = groupBy(3 * mesh.triangles.size(),
-                             [&](std::size_t corner) { return positionIds_[mesh.triangles[corner / 3][corner % 3]]; });
-  incidentStarts_ = std::move(corners.starts);
-  incident_ = std::move(corners.members);
-  for (std::uint32_t& corner : incident_) corner /= 3;
+    : mesh_(&mesh), positions_(toScene(chooseSceneFrame(mesh.positions), mesh.positions)) {
+  parallelInvoke(
+      [&] {
+        pointIds_ = distinctPointIds(mesh.positions, mesh.normals);
+        Grouping points = groupBy(pointIds_.size(), [&](std::size_t vertex) { return pointIds_[vertex]; });
+        pointStarts_ = std::move(points.starts);
+        pointVertices_ = std::move(points.members);
+      },
+      [&] {
+        positionIds_ = distinctPositionIds(mesh.positions);
+        Grouping corners = groupBy(3 * mesh.triangles.size(), [&](std::size_t corner) {
+          return positionIds_[mesh.triangles[corner / 3][corner % 3]];
+        });
+        incidentStarts_ = std::move(corners.starts);
+        incident_ = std::move(corners.members);
+        for (std::uint32_t& corner : incident_) corner /= 3;
+      });
 
   float largest = 0;
   for (const Vec3f& p : positions_) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});

@@ -1,0 +1,208 @@
+// The asset file: bits survive, and whatever is cut, flipped or claimed too large is refused.
+#include <gtest/gtest.h>
+
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfHeader.h>
+#include <half.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "shprt/base/error.h"
+#include "shprt/base/file.h"
+#include "shprt/coefficients/asset_file.h"
+
+namespace shprt {
+namespace {
+
+std::string scratch(const std::string& name) { return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name; }
+
+TransferAsset makeAsset(int degree, int channels, std::size_t vertices, bool textured) {
+  TransferAsset asset;
+  asset.transfer.degree = degree;
+  asset.transfer.channels = channels;
+  asset.transfer.vertexCount = vertices;
+  asset.transfer.values.resize(static_cast<std::size_t>(channels * coefficientCount(degree)) * vertices);
+  for (std::size_t i = 0; i < asset.transfer.values.size(); ++i) asset.transfer.values[i] = static_cast<float>(std::sin(0.37 * double(i)));
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const float f = static_cast<float>(v);
+    asset.positions.push_back({f, -f, 0.5f * f});
+    asset.normals.push_back({0, 1, 0});
+    asset.albedo.push_back({0.25f, 0.5f, 0.75f});
+    if (textured) asset.textureCoordinates.push_back({f / 7, 1 - f / 9});
+  }
+  for (std::uint32_t t = 0; t + 2 < vertices; ++t) asset.triangles.push_back({t, t + 1, t + 2});
+  asset.metadata.toolVersion = "test";
+  asset.metadata.model = "shadowed";
+  asset.metadata.rays = 64;
+  asset.metadata.seed = std::numeric_limits<std::uint64_t>::max();
+  asset.metadata.sources = {{"a \"quoted\" name.obj", "00ff"}};
+  asset.metadata.seconds = {{"trace", 0.125}};
+  asset.metadata.counts = {{"zeroAreaTriangles", 3}};
+  asset.metadata.notes = {"a note"};
+  return asset;
+}
+
+void expectSame(const TransferAsset& a, const TransferAsset& b) {
+  EXPECT_EQ(a.transfer.degree, b.transfer.degree);
+  EXPECT_EQ(a.transfer.channels, b.transfer.channels);
+  EXPECT_EQ(a.transfer.vertexCount, b.transfer.vertexCount);
+  EXPECT_EQ(a.transfer.values, b.transfer.values);
+  EXPECT_EQ(a.positions, b.positions);
+  EXPECT_EQ(a.normals, b.normals);
+  EXPECT_EQ(a.albedo, b.albedo);
+  EXPECT_EQ(a.textureCoordinates, b.textureCoordinates);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.metadata.model, b.metadata.model);
+  EXPECT_EQ(a.metadata.seed, b.metadata.seed);
+  EXPECT_EQ(a.metadata.rays, b.metadata.rays);
+  EXPECT_EQ(a.metadata.seconds, b.metadata.seconds);
+  EXPECT_EQ(a.metadata.counts, b.metadata.counts);
+  EXPECT_EQ(a.metadata.notes, b.metadata.notes);
+  ASSERT_EQ(a.metadata.sources.size(), b.metadata.sources.size());
+  EXPECT_EQ(a.metadata.sources[0].file, b.metadata.sources[0].file);
+}
+
+TEST(AssetFile, ReadsBackTheSameBitsWithEveryCompression) {
+  for (const AssetCompression compression : {AssetCompression::kNone, AssetCompression::kZip, AssetCompression::kZips, AssetCompression::kPiz})
+    for (const int channels : {1, 3})
+      for (const std::size_t vertices : {3u, 64u, 20000u}) {
+        const TransferAsset asset = makeAsset(vertices > 1000 ? 2 : 4, channels, vertices, channels == 3);
+        writeAsset(scratch("same.prt.exr"), asset, {.half = false, .compression = compression});
+        expectSame(asset, readAsset(scratch("same.prt.exr")));
+      }
+  const TransferAsset high = makeAsset(32, 1, 200, false);
+  writeAsset(scratch("high.prt.exr"), high);
+  expectSame(high, readAsset(scratch("high.prt.exr")));
+}
+
+TEST(AssetFile, EqualAssetsGiveEqualBytes) {
+  writeAsset(scratch("one.prt.exr"), makeAsset(3, 3, 700, true), {.compression = AssetCompression::kZip});
+  writeAsset(scratch("two.prt.exr"), makeAsset(3, 3, 700, true), {.compression = AssetCompression::kZip});
+  EXPECT_EQ(readFile(scratch("one.prt.exr")), readFile(scratch("two.prt.exr")));
+}
+
+TEST(AssetFile, HalfIsRoundedToNearest) {
+  const TransferAsset asset = makeAsset(2, 3, 50, false);
+  writeAsset(scratch("half.prt.exr"), asset, {.half = true});
+  const TransferAsset back = readAsset(scratch("half.prt.exr"));
+  for (std::size_t i = 0; i < asset.transfer.values.size(); ++i) EXPECT_EQ(back.transfer.values[i], float(Imath::half(asset.transfer.values[i])));
+  TransferAsset large = asset;
+  large.transfer.values[57] = 1e6f;
+  try {
+    writeAsset(scratch("large.prt.exr"), large, {.half = true});
+    ADD_FAILURE() << "a value beyond half was written";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("coefficient 1 of vertex 7"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch("large.prt.exr")));
+}
+
+TEST(AssetFile, IsAnOrdinaryMultiPartFile) {
+  writeAsset(scratch("parts.prt.exr"), makeAsset(4, 3, 100, true));
+  Imf::MultiPartInputFile file(scratch("parts.prt.exr").c_str());
+  ASSERT_EQ(file.parts(), 6);
+  EXPECT_EQ(file.header(0).name(), "transfer");
+  EXPECT_EQ(file.header(5).name(), "triangles");
+  EXPECT_EQ(listAssetParts(scratch("parts.prt.exr"))[0].height, 25);
+  EXPECT_TRUE(isAssetFile(scratch("parts.prt.exr")));
+  EXPECT_FALSE(isAssetFile(scratch("missing.prt.exr")));
+}
+
+TEST(AssetFile, EveryTruncationIsRefused) {
+  writeAsset(scratch("whole.prt.exr"), makeAsset(1, 1, 5, true));
+  const std::string bytes = readFile(scratch("whole.prt.exr"));
+  ASSERT_GT(bytes.size(), 1000u);
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    std::ofstream(scratch("cut.prt.exr"), std::ios::binary) << bytes.substr(0, length);
+    EXPECT_THROW(readAsset(scratch("cut.prt.exr")), Error) << length << " of " << bytes.size();
+    isAssetFile(scratch("cut.prt.exr"));
+  }
+}
+
+TEST(AssetFile, FlippedBytesAreRefusedOrHarmless) {
+  for (const AssetCompression compression : {AssetCompression::kNone, AssetCompression::kZip}) {
+    writeAsset(scratch("whole2.prt.exr"), makeAsset(1, 3, 6, true), {.compression = compression});
+    const std::string bytes = readFile(scratch("whole2.prt.exr"));
+    for (std::size_t at = 0; at < bytes.size(); at += at < 2000 ? 1 : 5)
+      for (const unsigned char flip : {0x01, 0xff}) {
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(static_cast<unsigned char>(damaged[at]) ^ flip);
+        std::ofstream(scratch("flip.prt.exr"), std::ios::binary) << damaged;
+        try {
+          const TransferAsset asset = readAsset(scratch("flip.prt.exr"));
+          ASSERT_EQ(asset.positions.size(), asset.transfer.vertexCount);
+          for (const auto& t : asset.triangles) ASSERT_LT(std::max({t[0], t[1], t[2]}), asset.transfer.vertexCount);
+        } catch (const Error& error) {
+          ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        }
+      }
+  }
+}
+
+// Replaces one occurrence of equal length in the file.
+std::string errorAfterReplacing(const std::string& from, const std::string& to) {
+  writeAsset(scratch("edit.prt.exr"), makeAsset(1, 1, 5, false));
+  std::string bytes = readFile(scratch("edit.prt.exr"));
+  const std::size_t at = bytes.find(from);
+  EXPECT_NE(at, std::string::npos);
+  EXPECT_EQ(from.size(), to.size());
+  bytes.replace(at, from.size(), to);
+  std::ofstream(scratch("edit.prt.exr"), std::ios::binary) << bytes;
+  try {
+    readAsset(scratch("edit.prt.exr"));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string attribute(const std::string& name, int value) {
+  const std::int32_t size = 4, v = value;
+  std::string bytes = name + std::string("\0int\0", 5);
+  bytes.append(reinterpret_cast<const char*>(&size), 4).append(reinterpret_cast<const char*>(&v), 4);
+  return bytes;
+}
+
+TEST(AssetFile, RefusesWhatIsNewerOrInconsistent) {
+  EXPECT_NE(errorAfterReplacing(attribute("shprtFormatVersion", 1), attribute("shprtFormatVersion", 2)).find("use a newer shprt"), std::string::npos);
+  EXPECT_NE(errorAfterReplacing(attribute("shprtDegree", 1), attribute("shprtDegree", 2)).find("disagrees"), std::string::npos);
+  EXPECT_NE(errorAfterReplacing("no Condon-Shortley phase; right", "a Condon-Shortley phase!; right").find("another convention"), std::string::npos);
+  EXPECT_NE(errorAfterReplacing("\"degree\": 1", "\"degree\": 2").find("disagrees"), std::string::npos);
+  EXPECT_NE(errorAfterReplacing("\"condonShortley\": false", "\"condonShortley\": true ").find("convention"), std::string::npos);
+}
+
+TEST(AssetFile, RefusesIndicesAndValuesThatMakeNoSense) {
+  TransferAsset asset = makeAsset(1, 1, 5, false);
+  asset.triangles.push_back({0, 1, 5});
+  writeAsset(scratch("bad.prt.exr"), asset);
+  EXPECT_THROW(readAsset(scratch("bad.prt.exr")), Error);
+  asset = makeAsset(1, 1, 5, false);
+  asset.transfer.values[3] = std::numeric_limits<float>::quiet_NaN();
+  writeAsset(scratch("bad.prt.exr"), asset);
+  EXPECT_THROW(readAsset(scratch("bad.prt.exr")), Error);
+  asset = makeAsset(1, 1, 5, false);
+  asset.normals.pop_back();
+  EXPECT_THROW(writeAsset(scratch("bad2.prt.exr"), asset), Error);
+  EXPECT_THROW(writeAsset(scratch("bad2.prt.exr"), TransferAsset{}), Error);
+  EXPECT_FALSE(std::filesystem::exists(scratch("bad2.prt.exr")));
+}
+
+TEST(AssetFile, ReportsAFullDisk) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "SKIPPED: no /dev/full here";
+  for (const std::size_t vertices : {5u, 100000u}) {
+    try {
+      writeAsset("/dev/full", makeAsset(1, 1, vertices, false));
+      ADD_FAILURE() << "a full disk went unnoticed";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("/dev/full: cannot be written"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+}  // namespace
+}  // namespace shprt

@@ -1,0 +1,101 @@
+// Light files: exact doubles, figures from definitions, and one clear line for each mistake.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "shprt/base/error.h"
+#include "shprt/base/file.h"
+#include "shprt/coefficients/light_coefficients.h"
+#include "shprt/sh/basis.h"
+
+namespace shprt {
+namespace {
+
+std::string scratch(const std::string& name) { return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name; }
+
+LightCoefficients makeLight(int degree) {
+  LightCoefficients light;
+  light.degree = degree;
+  for (int i = 0; i < coefficientCount(degree); ++i) light.coefficients.push_back({std::exp(i % 30), std::sin(i) * 1e-300, -1.0 / (i + 1)});
+  light.source = "a \"test\" \\ with\nmarks";
+  light.statisticsJson = R"({"pixels":12})";
+  return light;
+}
+
+TEST(LightFile, KeepsEveryBit) {
+  for (const int degree : {0, 1, 4, 32, 1000}) {
+    const LightCoefficients light = makeLight(degree);
+    writeLight(scratch("light.json"), light);
+    EXPECT_TRUE(isLightFile(scratch("light.json")));
+    const LightCoefficients back = readLight(scratch("light.json"));
+    EXPECT_EQ(back.degree, degree);
+    EXPECT_EQ(back.coefficients, light.coefficients);
+    EXPECT_EQ(back.source, light.source);
+    EXPECT_EQ(back.statisticsJson, light.statisticsJson);
+  }
+}
+
+TEST(LightFile, MeasuresByDefinition) {
+  // Radiance 1 everywhere plus 0.5 d.x: average 1, and |L1|/L0 = 0.5/3 (4-pi-normalised: L1 is the mean of radiance times direction).
+  LightCoefficients light;
+  light.degree = 1;
+  light.coefficients.assign(4, {0, 0, 0});
+  light.coefficients[0] = {std::sqrt(4 * std::numbers::pi), 0, 0};
+  light.coefficients[3][0] = 0.5 * std::sqrt(4 * std::numbers::pi / 3);
+  const LightStatistics statistics = measureLight(light);
+  EXPECT_NEAR(statistics.averageRadiance[0], 1, 1e-15);
+  EXPECT_NEAR(statistics.directionality[0], 0.5 / 3, 1e-15);
+  EXPECT_EQ(statistics.directionality[1], 0);
+  EXPECT_NEAR(statistics.dominantDirection[0], 1, 1e-15);
+  EXPECT_NEAR(statistics.bandEnergy[1][0], 0.25 * 4 * std::numbers::pi / 3, 1e-15);
+  // A point light has directionality 1, from wherever it comes.
+  std::vector<double> y(4);
+  evaluateSh(1, Vec3d{0.6, 0, -0.8}, y);
+  for (std::size_t i = 0; i < 4; ++i) light.coefficients[i] = {y[i], y[i], y[i]};
+  EXPECT_NEAR(measureLight(light).directionality[2], 1, 1e-15);
+  EXPECT_NEAR(measureLight(light).dominantDirection[2], -0.8, 1e-15);
+}
+
+TEST(LightFile, RefusesMistakesInOneLineThatNamesTheField) {
+  const std::string good = formatLight(makeLight(1));
+  const auto errorOf = [&](const std::string& text) -> std::string {
+    writeFile(scratch("bad.json"), text);
+    try {
+      readLight(scratch("bad.json"));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto edited = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  };
+  EXPECT_EQ(errorOf(good), "");
+  const std::pair<std::string, std::string> cases[] = {
+      {errorOf(""), "line 1, column 1"},
+      {errorOf("{\n  \"format\": \"shprt-light\",\n  oops"), "line 3, column"},
+      {errorOf("[1,2]"), "no JSON object"},
+      {errorOf(edited("\"shprt-light\"", "\"other\"")), "format is not"},
+      {errorOf(edited("\"version\": 1", "\"version\": 2")), "use a newer shprt"},
+      {errorOf(edited("\"version\": 1", "\"version\": \"1\"")), "version is no whole number"},
+      {errorOf(edited("false", "true")), "basis is another convention"},
+      {errorOf(edited("\"degree\": 1", "\"degree\": 2")), "has 4 entries where degree 2 needs 9"},
+      {errorOf(edited("\"degree\": 1", "\"degree\": -1")), "degree is outside"},
+      {errorOf(edited("\"degree\": 1", "\"degree\": 99999999")), "degree is outside"},
+      {errorOf(edited("[1,", "[\"x\",")), "coefficients[0] has an entry"},
+      {errorOf(edited("[1,", "[1e999,")), "JSON"},
+      {errorOf(edited("[1, ", "[")), "coefficients[0] does not have three numbers"},
+      {errorOf(edited("\"basis\"", "\"bases\"")), "basis is missing"}};
+  for (const auto& [message, fragment] : cases) {
+    EXPECT_NE(message.find(fragment), std::string::npos) << "'" << message << "' lacks '" << fragment << "'";
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace shprt

@@ -1,0 +1,79 @@
+#include "file_kind.h"
+
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "output.h"
+#include "shprt/base/error.h"
+#include "shprt/coefficients/asset_file.h"
+#include "shprt/coefficients/light_coefficients.h"
+#include "shprt/light/light_list.h"
+
+namespace shprt {
+namespace {
+
+bool hasMeshSuffix(const std::string& path) {
+  const std::string suffix = suffixOf(path);
+  return suffix == ".obj" || suffix == ".ply" || suffix == ".off" || suffix == ".stl";
+}
+
+// A damaged asset is no longer recognised by its parts, but its name still says what it was meant to be.
+bool isNamedAsset(const std::string& path) {
+  return path.ends_with(".prt.exr") && isExrFile(path);
+}
+
+}  // namespace
+
+bool looksLikeJson(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 64> start{};
+  file.read(start.data(), start.size());
+  for (std::streamsize i = 0; i < file.gcount(); ++i) {
+    const auto c = static_cast<unsigned char>(start[static_cast<std::size_t>(i)]);
+    if (!std::isspace(c)) return c == '{';
+  }
+  return false;
+}
+
+void checkInput(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (!fs::exists(status)) {
+    if (path.find("%s") != std::string::npos) return;
+    throw Error(path, "no such file", "check the path");
+  }
+  if (!fs::is_regular_file(status) && !fs::is_directory(status)) {
+    throw Error(path, "is a pipe or device", "save its content to a file first");
+  }
+}
+
+FileKind fileKind(const std::string& path) {
+  checkInput(path);
+  if (isAssetFile(path) || isNamedAsset(path)) return FileKind::kAsset;
+  if (isLightFile(path)) return FileKind::kLight;
+  if (isLightList(path)) return FileKind::kLightList;
+  if (hasMeshSuffix(path)) return FileKind::kMesh;
+  return looksLikeJson(path) ? FileKind::kLight : FileKind::kImage;
+}
+
+const char* kindName(FileKind kind) {
+  switch (kind) {
+    case FileKind::kAsset:
+      return "an asset";
+    case FileKind::kLight:
+      return "a light file";
+    case FileKind::kLightList:
+      return "a list of lights";
+    case FileKind::kMesh:
+      return "a mesh";
+    case FileKind::kImage:
+      break;
+  }
+  return "an image";
+}
+
+}  // namespace shprt

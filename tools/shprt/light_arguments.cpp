@@ -1,0 +1,77 @@
+#include "light_arguments.h"
+
+#include <utility>
+
+#include "commands.h"
+#include "console.h"
+#include "file_kind.h"
+#include "shprt/base/error.h"
+#include "shprt/coefficients/asset_file.h"
+#include "shprt/light/light_list.h"
+
+namespace shprt {
+namespace {
+
+std::vector<std::string> mendingNotes(const ProbeProjection& projection) {
+  std::vector<std::string> notes;
+  if (projection.nonFinitePixels > 0) {
+    notes.push_back(countOf(projection.nonFinitePixels, "pixel is", "pixels are") +
+                    " NaN or infinite: left out, the others stand for their solid angle");
+  }
+  if (projection.negativePixels > 0) {
+    notes.push_back(
+        countOf(projection.negativePixels, "negative pixel value was", "negative pixel values were") +
+        " taken as 0");
+  }
+  return notes;
+}
+
+LoadedLight loadImageLight(const std::string& path, const LightOptions& options) {
+  LoadedLight loaded;
+  loaded.map = loadEnvironment(path, options.layout);
+  loaded.projection = projectProbe(*loaded.map, {.degree = options.degree, .strict = options.strict});
+  loaded.light = std::move(loaded.projection->light);
+  loaded.notes.push_back(std::string("layout ") + layoutName(loaded.map->layout) + ", " +
+                         loaded.map->layoutReason);
+  loaded.notes.insert(loaded.notes.end(), loaded.map->notes.begin(), loaded.map->notes.end());
+  const std::vector<std::string> mended = mendingNotes(*loaded.projection);
+  loaded.notes.insert(loaded.notes.end(), mended.begin(), mended.end());
+  return loaded;
+}
+
+}  // namespace
+
+LoadedLight loadLight(const std::string& path, const LightOptions& options) {
+  checkInput(path);
+  const bool lightFile = isLightFile(path), lightList = isLightList(path);
+  if (options.layout && (lightFile || lightList)) throw UsageError("--layout: " + path + " is no image");
+  LoadedLight loaded;
+  if (lightFile) {
+    loaded.light = readLight(path);
+  } else if (lightList) {
+    ProjectedList list = projectLightList(path, options.degree, options.strict);
+    loaded.light = std::move(list.light);
+    loaded.notes = std::move(list.notes);
+  } else if (looksLikeJson(path)) {
+    // Says what is wrong with the JSON, or with its "format".
+    loaded.light = readLight(path);
+  } else if (isAssetFile(path)) {
+    throw Error(path, "is a baked asset, not a light", "give a light file, a list of lights or an image");
+  } else {
+    loaded = loadImageLight(path, options);
+  }
+  return loaded;
+}
+
+CLI::Option* addLayout(CLI::App& app, std::optional<EnvironmentLayout>& layout) {
+  const auto parse = [&layout](const std::string& text) {
+    layout = text == "auto" ? std::nullopt : std::optional(parseLayout(text));
+  };
+  return addParsed(
+             app, "--layout", "NAME", parse,
+             "How an image covers the sphere: auto | latlong | angular | mirrored-ball | vertical-cross | "
+             "horizontal-cross | faces | strip")
+      ->default_str("auto");
+}
+
+}  // namespace shprt

@@ -1,0 +1,36 @@
+// A LIGHT on the command line: a light file, a list of lights, or an image of the surroundings, told apart by
+// content.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "options.h"
+#include "shprt/coefficients/light_coefficients.h"
+#include "shprt/image/environment.h"
+#include "shprt/light/project_probe.h"
+
+namespace shprt {
+
+struct LightOptions {
+  int degree = 4;                           // of lists and images; a light file keeps its own
+  std::optional<EnvironmentLayout> layout;  // of images; empty means automatic
+  bool strict = false;                      // refuse bad pixels
+};
+
+struct LoadedLight {
+  LightCoefficients light;
+  std::optional<EnvironmentMap> map;          // images only
+  std::optional<ProbeProjection> projection;  // images only; its own light is moved to `light`
+  std::vector<std::string> notes;             // layout taken, pixels mended
+};
+
+// Throws Error. --layout with anything but an image is a UsageError.
+LoadedLight loadLight(const std::string& path, const LightOptions& options);
+
+// --layout
+CLI::Option* addLayout(CLI::App& app, std::optional<EnvironmentLayout>& layout);
+
+}  // namespace shprt

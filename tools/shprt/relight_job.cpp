@@ -1,0 +1,56 @@
+#include "relight_job.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "shprt/sh/rotation.h"
+
+namespace shprt {
+
+LightSum addUpLights(const Console& console, const RelightOptions& options, int assetDegree) {
+  LightSum sum;
+  LightOptions lightOptions = options.light;
+  lightOptions.degree = assetDegree;
+  int lowest = assetDegree;
+  for (std::size_t i = 0; i < options.lights.size(); ++i) {
+    LoadedLight loaded = loadLight(options.lights[i], lightOptions);
+    console.field("light", fmt::format("{}, degree {}", options.lights[i], loaded.light.degree));
+    for (const std::string& note : loaded.notes) console.field("", note);
+    if (loaded.light.degree != assetDegree) {
+      console.note(fmt::format("{} has degree {}, the asset {}: the bands up to {} are used",
+                               options.lights[i], loaded.light.degree, assetDegree,
+                               std::min(loaded.light.degree, assetDegree)));
+    }
+    lowest = std::min(lowest, loaded.light.degree);
+    sum.light = i == 0 ? std::move(loaded.light) : addLights(sum.light, loaded.light);
+    if (loaded.map) sum.maps.push_back(std::move(*loaded.map));
+  }
+  // Bands the asset lacks would only be turned in vain.
+  if (sum.light.degree > lowest) sum.light = withDegree(sum.light, lowest);
+  if (options.exposure) sum.light = scaleLight(sum.light, std::exp2(*options.exposure));
+  return sum;
+}
+
+int frameCount(const RelightOptions& options) {
+  return options.turntable.value_or(1);
+}
+
+std::optional<Mat3> frameRotation(const RelightOptions& options, int frame) {
+  if (!options.turntable) return options.rotation;
+  const double degrees = 360.0 * frame / *options.turntable;
+  return parseRotation(fmt::format("axis:0,1,0,{}", degrees)) * options.rotation.value_or(Mat3{});
+}
+
+std::string frameFile(const RelightOptions& options, int frame) {
+  if (!options.turntable) return options.output;
+  const std::filesystem::path path(options.output);
+  const std::string name =
+      fmt::format("{}_{:04d}{}", path.stem().string(), frame + 1, path.extension().string());
+  return (path.parent_path() / name).string();
+}
+
+}  // namespace shprt

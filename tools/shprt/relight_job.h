@@ -1,0 +1,51 @@
+// One call of shprt relight: what was asked for, and the lights it adds up.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "console.h"
+#include "light_arguments.h"
+#include "options.h"
+
+namespace shprt {
+
+enum class RelightFormat { kPly, kExr, kPng, kCsv, kJson };
+
+struct RelightOptions {
+  std::string asset, output;
+  std::vector<std::string> lights;
+  std::optional<RelightFormat> textFormat;  // csv or json, overrides the suffix of output
+  LightOptions light;
+  std::optional<Mat3> rotation;
+  std::optional<double> exposure;
+  std::string camera;  // "" for the automatic one
+  int width = 960, height = 720, samples = 16;
+  bool background = false;  // show the image that gives the light
+  std::optional<Vec3f> backgroundColour;
+  std::optional<int> turntable;  // frames; empty for one picture and no turning
+  int threads = 0;
+  CommonOptions common;
+};
+
+// The lights added up, in their own orientation, times 2^exposure.
+struct LightSum {
+  LightCoefficients light;
+  std::vector<EnvironmentMap> maps;  // of the lights that are images
+};
+
+// Says per light what was read, and notes where degrees differ: the bands that all have are used.
+LightSum addUpLights(const Console& console, const RelightOptions& options, int assetDegree);
+
+// Pictures to make: 1 without --turntable.
+int frameCount(const RelightOptions& options);
+
+// The turn of the light in one frame: --rotate first, then the turntable's part of a full circle about +Y.
+// Empty when nothing turns.
+std::optional<Mat3> frameRotation(const RelightOptions& options, int frame);
+
+// The file of one frame: OUT itself, or OUT with _0001, _0002, ... before its suffix.
+std::string frameFile(const RelightOptions& options, int frame);
+
+}  // namespace shprt
