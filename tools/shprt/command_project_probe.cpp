@@ -125,8 +125,9 @@ void addProjectProbeCommand(CLI::App& app, Command& chosen) {
       ->default_str("none");
   addRotation(sub, options->rotation);
   addExposure(sub, options->exposure, "Multiply the light by 2^EV");
-  sub.add_flag("--strict", options->light.strict,
-               "Refuse NaN, infinite and negative pixels instead of mending them");
+  sub.add_flag("--clamp-negative", options->light.clampNegative,
+               "Take negative pixel values as 0 instead of as they are");
+  sub.add_flag("--strict", options->light.strict, "Refuse NaN, infinite and negative pixels");
   addCommonOptions(sub, options->common);
   sub.footer(
       "Examples:\n"

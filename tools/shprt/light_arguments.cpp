@@ -12,7 +12,7 @@
 namespace shprt {
 namespace {
 
-std::vector<std::string> mendingNotes(const ProbeProjection& projection) {
+std::vector<std::string> mendingNotes(const ProbeProjection& projection, bool clampNegative) {
   std::vector<std::string> notes;
   if (projection.nonFinitePixels > 0) {
     notes.push_back(countOf(projection.nonFinitePixels, "pixel is", "pixels are") +
@@ -20,8 +20,8 @@ std::vector<std::string> mendingNotes(const ProbeProjection& projection) {
   }
   if (projection.negativePixels > 0) {
     notes.push_back(
-        countOf(projection.negativePixels, "negative pixel value was", "negative pixel values were") +
-        " taken as 0");
+        countOf(projection.negativePixels, "pixel has", "pixels have") + " negative values, " +
+        (clampNegative ? "taken as 0" : "used as they are; --clamp-negative makes them 0"));
   }
   return notes;
 }
@@ -29,12 +29,14 @@ std::vector<std::string> mendingNotes(const ProbeProjection& projection) {
 LoadedLight loadImageLight(const std::string& path, const LightOptions& options) {
   LoadedLight loaded;
   loaded.map = loadEnvironment(path, options.layout);
-  loaded.projection = projectProbe(*loaded.map, {.degree = options.degree, .strict = options.strict});
+  loaded.projection = projectProbe(*loaded.map, {.degree = options.degree,
+                                                .clampNegative = options.clampNegative,
+                                                .strict = options.strict});
   loaded.light = std::move(loaded.projection->light);
   loaded.notes.push_back(std::string("layout ") + layoutName(loaded.map->layout) + ", " +
                          loaded.map->layoutReason);
   loaded.notes.insert(loaded.notes.end(), loaded.map->notes.begin(), loaded.map->notes.end());
-  const std::vector<std::string> mended = mendingNotes(*loaded.projection);
+  const std::vector<std::string> mended = mendingNotes(*loaded.projection, options.clampNegative);
   loaded.notes.insert(loaded.notes.end(), mended.begin(), mended.end());
   return loaded;
 }

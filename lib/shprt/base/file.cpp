@@ -112,6 +112,7 @@ void writeFile(const fs::path& target, std::string_view bytes) {
   AtomicFile output(target);
   std::FILE* file = std::fopen(output.path().c_str(), "wb");
   if (!file) throw Error(target.string(), "cannot be written: " + systemMessage());
+  errno = 0;
   bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   const int failure = errno;
   good = std::fclose(file) == 0 && good;

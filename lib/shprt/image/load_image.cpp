@@ -1,5 +1,6 @@
 // Pictures through OpenImageIO, which trusts headers: sizes are checked against the file before anything is allocated.
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -138,20 +139,20 @@ LoadedImage loadImage(const std::filesystem::path& path) {
 void saveImage(const std::filesystem::path& path, const Image& image) {
   const std::string suffix = path.extension().string();
   const bool linear = suffix == ".exr" || suffix == ".hdr";
-  AtomicFile target(path);
-  const auto output = OIIO::ImageOutput::create(target.path().string());
+  const auto output = OIIO::ImageOutput::create(path.string());
   if (!output) fail(path, "has a suffix that is no image format", "use .png, .exr, .hdr or .jpg");
   OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   if (suffix == ".exr") spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-  bool good = output->open(target.path().string(), spec);
+  // Formats hide what goes wrong while a file is closed; written to memory first, nothing can, and the file is ours to write.
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  if (!output->supports("ioproxy") || !output->set_ioproxy(&memory)) fail(path, "is of a format that cannot be written here", "use .png, .exr, .hdr or .jpg");
+  bool good = output->open(path.string(), spec);
   good = good && output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
-  // What cannot be written any more often shows only when the file is closed.
   good = output->close() && good;
-  std::error_code ignored;
-  if (good && std::filesystem::is_regular_file(target.path(), ignored)) good = std::filesystem::file_size(target.path(), ignored) > 0;
-  if (!good) fail(path, "cannot be written: " + output->geterror().substr(0, 200));
-  target.commit();
+  if (!good) fail(path, "cannot be encoded: " + output->geterror().substr(0, 200));
+  writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace shprt
