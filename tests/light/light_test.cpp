@@ -58,9 +58,9 @@ TEST(ProjectProbe, ASphericalHarmonicComesBackAsItsCoefficient) {
       for (std::size_t i = 0; i < light.coefficients.size(); ++i)
         for (std::size_t colour = 0; colour < 3; ++colour) {
           const double expected = int(i) == own[colour] ? 1 : 0;
-          // The rim of a mirrored ball shows much of the sphere in few pixels: 2e-4 to degree 4, 2e-3 above.
+          // The rim of a mirrored ball shows much of the sphere in few pixels: 3e-4 to degree 4, 3e-3 above.
           const bool coarse = c.layout == EnvironmentLayout::kMirroredBall && std::max(bandOf(int(i)), bandOf(own[colour])) > 4;
-          ASSERT_NEAR(light.coefficients[i][colour], expected, coarse ? 2e-3 : c.layout == EnvironmentLayout::kMirroredBall ? 2e-4 : 1e-4) << layoutName(c.layout) << ", harmonic " << own[colour] << ", coefficient " << i;
+          ASSERT_NEAR(light.coefficients[i][colour], expected, coarse ? 3e-3 : c.layout == EnvironmentLayout::kMirroredBall ? 3e-4 : 1e-4) << layoutName(c.layout) << ", harmonic " << own[colour] << ", coefficient " << i;
         }
     }
 }
