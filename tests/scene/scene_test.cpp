@@ -108,6 +108,19 @@ TEST(RayCaster, IntersectGivesDistanceTriangleAndBarycentrics) {
   EXPECT_LT(caster.intersect({1, 2, 0}, {0, 0, -1}).distance, 0);
 }
 
+TEST(RayCaster, KnowsWhatEmbreeHolds) {
+  std::vector<Vec3f> positions;
+  Triangles triangles;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    positions.push_back({float(i % 50), float(i / 50), float(i % 7)});
+    if (i >= 2) triangles.push_back({i, i - 1, i - 2});
+  }
+  // At least the copy of the mesh, and not more than a kilobyte per triangle beyond what any mesh costs.
+  const RayCaster caster(positions, triangles);
+  EXPECT_GT(caster.peakMemory(), 12 * (positions.size() + triangles.size()));
+  EXPECT_LT(caster.peakMemory(), 1000 * triangles.size() + (std::size_t{16} << 20));
+}
+
 TEST(RayCaster, FindsTouchingTriangles) {
   const std::vector<Vec3f> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-3f}, {1, 0, 1e-3f}, {0, 1, 1e-3f}};
   const RayCaster caster(positions, Triangles{{0, 1, 2}, {3, 4, 5}});

@@ -113,9 +113,10 @@ void printSummary(const Console& console, const BakeOptions& options, const Mesh
                 fmt::format("shadowed, degree {}, {} per vertex, seed {}", options.shadowed.degree,
                             countOf(static_cast<std::uint64_t>(options.shadowed.rays), "ray", "rays"),
                             options.shadowed.seed));
-  console.field("rays", fmt::format("{} in {:.2f} s, {:.1f} Mrays/s ({:.2f} s more to build)",
+  console.field("rays", fmt::format("{} in {:.2f} s, {:.1f} Mrays/s ({:.2f} s more to build, {} in Embree)",
                                     formatCount(statistics.rays), statistics.traceSeconds,
-                                    raysPerSecond(statistics) * 1e-6, statistics.buildSeconds));
+                                    raysPerSecond(statistics) * 1e-6, statistics.buildSeconds,
+                                    formatBytes(statistics.embreeBytes)));
   console.field("mean visibility",
                 fmt::format("{:.4f}; {} see everything, {} nothing", statistics.meanVisibility,
                             countOf(statistics.fullyVisible, "vertex", "vertices"),
@@ -141,6 +142,7 @@ Json figuresOf(const BakeOptions& options, const TransferAsset& asset, const Bak
           {"triangles", asset.triangles.size()},
           {"meanVisibility", statistics.meanVisibility},
           {"raysPerSecond", raysPerSecond(statistics)},
+          {"embreeBytes", statistics.embreeBytes},
           {"seconds", asset.metadata.seconds},
           {"totalSeconds", seconds},
           {"counts", asset.metadata.counts},

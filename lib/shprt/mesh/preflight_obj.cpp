@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "shprt/base/error.h"
@@ -13,10 +14,10 @@ namespace shprt {
 namespace {
 
 // One corner "v/vt/vn": indices from 0; kNone where the file gives none, kBad where it gives one that cannot be read.
-constexpr std::int64_t kNone = -1, kBad = -2;
+constexpr std::int32_t kNone = -1, kBad = -2;
 
 struct Corner {
-  std::int64_t position = kBad, texture = kNone, normal = kNone;
+  std::int32_t position = kBad, texture = kNone, normal = kNone;
 };
 
 class ObjPreflight {
@@ -26,7 +27,8 @@ class ObjPreflight {
     file_.report.format = "OBJ";
   }
 
-  CanonicalFile run(std::string_view text) {
+  CanonicalFile run(std::string bytes) {
+    std::string_view text = bytes;
     std::string joined;
     while (!text.empty()) {
       std::string_view line = takeLine(text);
@@ -44,6 +46,7 @@ class ObjPreflight {
       }
       readLine(line);
     }
+    bytes = std::string();  // large files should not be held twice
     writeFaces();
     finishReport();
     return std::move(file_);
@@ -134,12 +137,12 @@ class ObjPreflight {
   }
 
   // Negative indices count back from the latest record.
-  static std::int64_t readIndex(std::string_view token, std::uint64_t soFar) {
-    const std::optional<std::int64_t> index = parseInteger<std::int64_t>(token);
+  static std::int32_t readIndex(std::string_view token, std::uint64_t soFar) {
+    const std::optional<std::int32_t> index = parseInteger<std::int32_t>(token);
     if (!index || *index == 0) return kBad;
     if (*index > 0) return *index - 1;
     const std::int64_t fromEnd = static_cast<std::int64_t>(soFar) + *index;
-    return fromEnd >= 0 ? fromEnd : kBad;
+    return fromEnd >= 0 ? static_cast<std::int32_t>(fromEnd) : kBad;
   }
 
   void useMaterial(std::string_view name) {
@@ -175,7 +178,14 @@ class ObjPreflight {
   void writeFaces() {
     file_.report.sourceVertices = positionCount_;
     if (!file_.unusableVertex.empty()) file_.unusableVertex.resize(positionCount_, false);
-    std::string faces;
+    // Attributes are moved over one after another; vertices that the filter appends come after the faces, which OpenMesh
+    // reads in a second pass.
+    std::string& out = file_.bytes;
+    out = std::move(positions_);
+    for (std::string* part : {&textures_, &normals_}) {
+      out += *part;
+      *part = std::string();
+    }
     FaceFilter filter(positionCount_, file_);
     std::vector<std::int64_t> indices;
     std::size_t begin = 0;
@@ -191,15 +201,15 @@ class ObjPreflight {
         if (corner.texture == kBad || corner.normal == kBad) badAttributes_ = true;
       }
       if (filter.keep(indices)) {
-        faces += 'f';
+        out += 'f';
         for (std::size_t c = begin; c < end; ++c) {
-          faces += ' ';
-          appendInteger(faces, indices[c - begin] + 1);
-          if (textured || withNormals) faces += '/';
-          if (textured) appendInteger(faces, corners_[c].texture + 1);
-          if (withNormals) appendInteger(faces += '/', corners_[c].normal + 1);
+          out += ' ';
+          appendInteger(out, indices[c - begin] + 1);
+          if (textured || withNormals) out += '/';
+          if (textured) appendInteger(out, corners_[c].texture + 1);
+          if (withNormals) appendInteger(out += '/', corners_[c].normal + 1);
         }
-        faces += '\n';
+        out += '\n';
         file_.faceMaterials.push_back(faceMaterials_[face]);
       }
       begin = end;
@@ -207,11 +217,8 @@ class ObjPreflight {
     file_.faces = file_.faceMaterials.size();
     file_.vertices = positionCount_ + file_.duplicateOf.size();
     // Appended vertices only need a place of their own; their positions are copied after parsing.
-    for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i) positions_ += "v 0 0 0\n";
-    file_.bytes = std::move(positions_);
-    file_.bytes += textures_;
-    file_.bytes += normals_;
-    file_.bytes += faces;
+    for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i) out += "v 0 0 0\n";
+    corners_ = std::vector<Corner>();
   }
 
   static bool isUsable(std::int64_t index, const std::vector<bool>& usable) {
@@ -255,6 +262,6 @@ class ObjPreflight {
 
 }  // namespace
 
-CanonicalFile preflightObj(const std::filesystem::path& path, std::string bytes) { return ObjPreflight(path).run(bytes); }
+CanonicalFile preflightObj(const std::filesystem::path& path, std::string bytes) { return ObjPreflight(path).run(std::move(bytes)); }
 
 }  // namespace shprt

@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -147,7 +148,21 @@ bool collectNear(RTCPointQueryFunctionArguments* arguments) {
 
 }  // namespace
 
+// Embree tells of every change of its memory, from any of its threads.
+struct MemoryMonitor {
+  std::atomic<std::int64_t> now = 0, peak = 0;
+
+  static bool changed(void* self, ssize_t bytes, bool) {
+    auto& monitor = *static_cast<MemoryMonitor*>(self);
+    const std::int64_t held = monitor.now += bytes;
+    for (std::int64_t seen = monitor.peak; held > seen && !monitor.peak.compare_exchange_weak(seen, held);) {
+    }
+    return true;
+  }
+};
+
 struct RayCaster::Impl {
+  MemoryMonitor memory;  // outlives the device
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   GeometryData data;
@@ -172,6 +187,7 @@ RayCaster::RayCaster(std::span<const Vec3f> positions, std::span<const std::arra
     : impl_(std::make_unique<Impl>()) {
   impl_->device = rtcNewDevice(nullptr);
   if (!impl_->device) throw Error("Embree", "no device could be made");
+  rtcSetDeviceMemoryMonitorFunction(impl_->device, MemoryMonitor::changed, &impl_->memory);
   if (rtcGetDeviceProperty(impl_->device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) {
     impl_->nativeWidth = 16;
   } else if (rtcGetDeviceProperty(impl_->device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) {
@@ -239,6 +255,8 @@ RayHit RayCaster::intersect(Vec3f origin, Vec3f direction) const {
   if (rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {rayHit.ray.tfar, rayHit.hit.primID, rayHit.hit.u, rayHit.hit.v};
 }
+
+std::uint64_t RayCaster::peakMemory() const { return static_cast<std::uint64_t>(impl_->memory.peak.load()); }
 
 std::vector<std::uint32_t> RayCaster::trianglesNear(Vec3f point, double radius, std::uint32_t exceptPosition) const {
   NearQuery near{toDouble(point), radius, exceptPosition, impl_->positions, &impl_->data, {}};

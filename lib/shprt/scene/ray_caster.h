@@ -58,6 +58,9 @@ class RayCaster {
   // The triangles nearer to a point than radius, in increasing order, without those that have a corner at the position id.
   std::vector<std::uint32_t> trianglesNear(Vec3f point, double radius, std::uint32_t exceptPosition) const;
 
+  // Most memory that Embree held at once, in bytes: its copy of the mesh, the hierarchy and what building it took.
+  std::uint64_t peakMemory() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -17,6 +17,7 @@ struct BakeStatistics {
   std::uint64_t rays = 0;              // rays traced
   double buildSeconds = 0;             // acceleration structure
   double traceSeconds = 0;             // rays and accumulation
+  std::uint64_t embreeBytes = 0;       // most memory that Embree held at once
   double meanVisibility = 1;           // mean over vertices of the visible share of the cosine-weighted hemisphere
   std::uint64_t fullyVisible = 0;      // vertices
   std::uint64_t fullyHidden = 0;

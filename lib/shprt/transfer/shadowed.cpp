@@ -138,6 +138,7 @@ Bake bakeShadowed(const Mesh& mesh, std::span<const Vec3f> albedo, const Shadowe
 
   BakeStatistics& statistics = bake.statistics;
   statistics.traceSeconds = secondsSince(traceStart);
+  statistics.embreeBytes = caster.peakMemory();
   statistics.rays = rays;
   statistics.meanVisibility = static_cast<double>(visibleRays) / (static_cast<double>(options.rays) * static_cast<double>(mesh.positions.size()));
   statistics.fullyVisible = fullyVisible;
