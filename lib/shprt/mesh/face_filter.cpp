@@ -26,6 +26,7 @@ bool FaceFilter::keep(std::vector<std::int64_t>& corners) {
       }
     }
   }
+  file_.corners += corners.size();
   std::vector<std::int64_t> sorted = corners;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {

@@ -40,8 +40,12 @@ shprt::Vec2f toVec(const Vec2f& v) { return {v[0], v[1]}; }
 
 class ArrayImporter final : public OpenMesh::IO::BaseImporter {
  public:
-  ArrayImporter(bool attributesBelongToCorners, std::size_t vertices) : toCorners_(attributesBelongToCorners) {
-    mesh.positions.reserve(vertices);
+  ArrayImporter(bool attributesBelongToCorners, const CanonicalFile& file)
+      : toCorners_(attributesBelongToCorners), cornerCount_(file.corners) {
+    // Sizes are known; growing by doubling would hold arrays twice.
+    mesh.positions.reserve(file.vertices);
+    mesh.faceStarts.reserve(file.faces + 1);
+    mesh.corners.reserve(file.corners);
   }
 
   RawMesh mesh;
@@ -128,6 +132,7 @@ class ArrayImporter final : public OpenMesh::IO::BaseImporter {
   template <typename T>
   void flush(std::vector<T>& pending, std::size_t corners, std::vector<T>& perCorner) {
     if (pending.size() == corners) {
+      perCorner.reserve(cornerCount_);
       perCorner.resize(mesh.corners.size() - corners);
       perCorner.insert(perCorner.end(), pending.begin(), pending.end());
     }
@@ -135,6 +140,7 @@ class ArrayImporter final : public OpenMesh::IO::BaseImporter {
   }
 
   bool toCorners_;
+  std::size_t cornerCount_;
   std::vector<shprt::Vec3f> pendingNormals_;
   std::vector<shprt::Vec2f> pendingTexture_;
 };
@@ -167,7 +173,7 @@ RawMesh importWithOpenMesh(const std::string& path, CanonicalFile& file) {
   omerr().disable();
   Options options = Options::VertexNormal | Options::VertexTexCoord;
   if (file.binary) options += Options::Binary;
-  ArrayImporter importer(file.extension == "obj", file.vertices);
+  ArrayImporter importer(file.extension == "obj", file);
   bool understood = false;
   try {
     const ClassicLocale classic;

@@ -29,6 +29,11 @@ class ObjPreflight {
 
   CanonicalFile run(std::string bytes) {
     std::string_view text = bytes;
+    // Address space for the most that can come, of which only what is used becomes memory; growing by doubling would hold large
+    // files' records twice.
+    for (std::string* part : {&positions_, &textures_, &normals_}) part->reserve(bytes.size() / 2);
+    corners_.reserve(bytes.size() / 4);
+    const std::size_t size = bytes.size();
     std::string joined;
     while (!text.empty()) {
       std::string_view line = takeLine(text);
@@ -46,8 +51,8 @@ class ObjPreflight {
       }
       readLine(line);
     }
-    bytes = std::string();  // large files should not be held twice
-    writeFaces();
+    bytes = std::string();
+    writeFaces(size);
     finishReport();
     return std::move(file_);
   }
@@ -175,14 +180,14 @@ class ObjPreflight {
   }
 
   // Faces come last in the canonical file, so that forward references are ordinary ones.
-  void writeFaces() {
+  void writeFaces(std::size_t sourceBytes) {
     file_.report.sourceVertices = positionCount_;
     if (!file_.unusableVertex.empty()) file_.unusableVertex.resize(positionCount_, false);
     // Attributes are moved over one after another; vertices that the filter appends come after the faces, which OpenMesh
     // reads in a second pass.
     std::string& out = file_.bytes;
-    out = std::move(positions_);
-    for (std::string* part : {&textures_, &normals_}) {
+    out.reserve(sourceBytes + sourceBytes / 2);
+    for (std::string* part : {&positions_, &textures_, &normals_}) {
       out += *part;
       *part = std::string();
     }

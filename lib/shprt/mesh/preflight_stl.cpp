@@ -101,6 +101,7 @@ CanonicalFile preflightStl(const std::filesystem::path& path, std::string bytes)
       std::memcpy(record + 12, &corners[t], 36);
       file.bytes.append(record, kTriangleBytes);
       ++file.faces;
+      file.corners += 3;
     }
   }
   const auto kept = static_cast<std::uint32_t>(file.faces);

@@ -19,6 +19,7 @@ struct CanonicalFile {
   bool binary = false;
   std::uint64_t vertices = 0;                   // that OpenMesh must deliver (STL: not known before it welds)
   std::uint64_t faces = 0;                      // that OpenMesh must deliver
+  std::uint64_t corners = 0;                    // of all those faces together
   std::vector<bool> unusableVertex;             // per vertex; empty when all are usable
   std::vector<std::uint32_t> duplicateOf;       // vertices appended beyond the file's own: which one each repeats
   std::vector<std::uint32_t> faceMaterials;     // per face, index into materials; empty when there are none

@@ -21,6 +21,8 @@ struct Triangles {
 // All triangles with area, in file order.
 Triangles cutFaces(const RawMesh& raw, std::span<const std::uint32_t> welded, MeshReport& report) {
   Triangles kept;
+  kept.corners.reserve(raw.corners.size() - 2 * raw.faceCount());
+  kept.faces.reserve(kept.corners.capacity());
   std::vector<Vec3d> polygon;
   std::vector<std::array<std::uint32_t, 3>> local;
   std::uint64_t cutAsConvex = 0;
