@@ -1,5 +1,5 @@
-// Writing and reading assets of degree 4, RGB, with every compression, in float and half: seconds and bytes per vertex.
-// The values are a bake's: smooth over neighbouring vertices, noisy in their last bits.
+// Writing and reading assets of degree 4, RGB, with every compression, in float and half: seconds and bytes
+// per vertex. The values are a bake's: smooth over neighbouring vertices, noisy in their last bits.
 
 #include <benchmark/benchmark.h>
 
@@ -21,7 +21,8 @@ TransferAsset makeAsset(std::size_t vertices) {
   asset.transfer.vertexCount = vertices;
   asset.transfer.values.resize(75 * vertices);
   for (std::size_t i = 0; i < asset.transfer.values.size(); ++i) {
-    const double smooth = std::sin(1e-3 * static_cast<double>(i % vertices) + static_cast<double>(i / vertices));
+    const double smooth =
+        std::sin(1e-3 * static_cast<double>(i % vertices) + static_cast<double>(i / vertices));
     asset.transfer.values[i] = static_cast<float>(0.2 * smooth + 0.005 * (uniformRandom(1, i, 0) - 0.5));
   }
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -45,12 +46,15 @@ const TransferAsset& cachedAsset(std::size_t vertices) {
 
 const std::string kFile = (std::filesystem::temp_directory_path() / "shprt_asset_bench.prt.exr").string();
 
-WriteAssetOptions optionsOf(const benchmark::State& state) { return {state.range(1) != 0, static_cast<AssetCompression>(state.range(2))}; }
+WriteAssetOptions optionsOf(const benchmark::State& state) {
+  return {state.range(1) != 0, static_cast<AssetCompression>(state.range(2))};
+}
 
 void label(benchmark::State& state) {
   const char* names[] = {"none", "zip", "zips", "piz"};
   state.SetLabel(std::string(state.range(1) ? "half " : "float ") + names[state.range(2)]);
-  state.counters["bytes/vertex"] = static_cast<double>(std::filesystem::file_size(kFile)) / static_cast<double>(state.range(0));
+  state.counters["bytes/vertex"] =
+      static_cast<double>(std::filesystem::file_size(kFile)) / static_cast<double>(state.range(0));
 }
 
 void writeBench(benchmark::State& state) {

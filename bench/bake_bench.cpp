@@ -1,8 +1,8 @@
 // What a whole shadowed bake costs beside a bare Embree loop over the same rays.
 // The bare loop builds its scene, makes the same directions, offsets origins by a fixed epsilon and keeps
-// nothing but a count: no filter, no spherical harmonics. It runs with Embree's defaults, where rays may slip between
-// neighbouring triangles, and in the robust mode that bakes use.
-// Usage: bench_bake [MESH] [RAYS] [benchmark options]; the default mesh is the shared Stanford bunny, else data/knot.ply.
+// nothing but a count: no filter, no spherical harmonics. It runs with Embree's defaults, where rays may slip
+// between neighbouring triangles, and in the robust mode that bakes use. Usage: bench_bake [MESH] [RAYS]
+// [benchmark options]; the default mesh is the shared Stanford bunny, else data/knot.ply.
 
 #include <tbb/parallel_for.h>
 
@@ -34,13 +34,16 @@ struct BareScene {
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene scene = rtcNewScene(device);
 
-  BareScene(const std::vector<Vec3f>& positions, const std::vector<Triangle>& triangles, RTCSceneFlags flags) {
+  BareScene(const std::vector<Vec3f>& positions, const std::vector<Triangle>& triangles,
+            RTCSceneFlags flags) {
     rtcSetSceneFlags(scene, flags);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    std::memcpy(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, positions.size()),
-                positions.data(), positions.size() * 12);
-    std::memcpy(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()),
-                triangles.data(), triangles.size() * 12);
+    std::memcpy(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, positions.size()),
+        positions.data(), positions.size() * 12);
+    std::memcpy(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()),
+        triangles.data(), triangles.size() * 12);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
@@ -62,7 +65,8 @@ void occludedSixteen(const int* valid, RTCScene scene, RTCRay16* ray) {
 #endif
 }
 
-std::uint64_t traceBare(const Mesh& mesh, const std::vector<Vec3f>& positions, const FibonacciHemisphere& lattice, RTCSceneFlags flags) {
+std::uint64_t traceBare(const Mesh& mesh, const std::vector<Vec3f>& positions,
+                        const FibonacciHemisphere& lattice, RTCSceneFlags flags) {
   const BareScene bare(positions, mesh.triangles, flags);
   std::atomic<std::uint64_t> occluded = 0;
   tbb::parallel_for(std::size_t{0}, (positions.size() + 63) / 64, [&](std::size_t block) {
@@ -105,7 +109,8 @@ int main(int argc, char** argv) {
   const std::vector<Vec3f> positions = toScene(chooseSceneFrame(mesh.positions), mesh.positions);
   const std::vector<Vec3f> albedo(positions.size(), Vec3f{0.8f, 0.8f, 0.8f});
   const FibonacciHemisphere lattice(rays, 16);
-  std::printf("%s: %zu vertices, %zu triangles, %d rays per vertex\n", path.c_str(), positions.size(), mesh.triangles.size(), rays);
+  std::printf("%s: %zu vertices, %zu triangles, %d rays per vertex\n", path.c_str(), positions.size(),
+              mesh.triangles.size(), rays);
 
   const double allRays = static_cast<double>(positions.size()) * rays;
   const auto reportRays = [&](benchmark::State& state) {
@@ -114,15 +119,18 @@ int main(int argc, char** argv) {
   const auto configure = [](benchmark::internal::Benchmark* b) {
     b->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(7);
   };
-  for (const auto& [name, flags] : {std::pair("bare_embree", RTC_SCENE_FLAG_NONE), std::pair("bare_embree_robust", RTC_SCENE_FLAG_ROBUST)}) {
+  for (const auto& [name, flags] : {std::pair("bare_embree", RTC_SCENE_FLAG_NONE),
+                                    std::pair("bare_embree_robust", RTC_SCENE_FLAG_ROBUST)}) {
     configure(benchmark::RegisterBenchmark(name, [&, sceneFlags = flags](benchmark::State& state) {
       for (auto _ : state) benchmark::DoNotOptimize(traceBare(mesh, positions, lattice, sceneFlags));
       reportRays(state);
     }));
   }
   configure(benchmark::RegisterBenchmark("bake_shadowed", [&](benchmark::State& state) {
-    for (auto _ : state) benchmark::DoNotOptimize(bakeShadowed(mesh, albedo, {.degree = 4, .rays = rays, .seed = 1}));
+    for (auto _ : state)
+      benchmark::DoNotOptimize(bakeShadowed(mesh, albedo, {.degree = 4, .rays = rays, .seed = 1}));
     reportRays(state);
   }));
-  return shprt::bench::runWithRatios(argc, argv, {{"bake_shadowed", "bare_embree", 1.3}, {"bake_shadowed", "bare_embree_robust", 1.3}});
+  return shprt::bench::runWithRatios(
+      argc, argv, {{"bake_shadowed", "bare_embree", 1.3}, {"bake_shadowed", "bare_embree_robust", 1.3}});
 }

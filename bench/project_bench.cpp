@@ -1,5 +1,5 @@
-// Projecting a 1024 x 512 latitude-longitude probe: separable sums, beside a plain loop that evaluates the basis at
-// every pixel. One thread.
+// Projecting a 1024 x 512 latitude-longitude probe: separable sums, beside a plain loop that evaluates the
+// basis at every pixel. One thread.
 
 #include <cmath>
 #include <vector>
@@ -30,7 +30,8 @@ double projectPlainly(const EnvironmentMap& map, int degree) {
       const PixelFootprint footprint = pixelFootprint(map.layout, map.image.width, map.image.height, x, y);
       evaluateSh(degree, footprint.direction, basis);
       const Vec3f& pixel = map.image.at(x, y);
-      const double radiance[3] = {static_cast<double>(pixel.x), static_cast<double>(pixel.y), static_cast<double>(pixel.z)};
+      const double radiance[3] = {static_cast<double>(pixel.x), static_cast<double>(pixel.y),
+                                  static_cast<double>(pixel.z)};
       for (std::size_t i = 0; i < basis.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) sums[3 * i + c] += footprint.solidAngle * basis[i] * radiance[c];
     }
@@ -45,10 +46,13 @@ int main(int argc, char** argv) {
   std::vector<shprt::bench::Ratio> ratios;
   for (const int degree : {4, 8}) {
     const std::string suffix = "_degree_" + std::to_string(degree);
-    const auto configure = [](benchmark::internal::Benchmark* b) { b->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5); };
-    configure(benchmark::RegisterBenchmark(("separable" + suffix).c_str(), [&, degree](benchmark::State& state) {
-      for (auto _ : state) benchmark::DoNotOptimize(projectProbe(map, {.degree = degree}));
-    }));
+    const auto configure = [](benchmark::internal::Benchmark* b) {
+      b->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5);
+    };
+    configure(
+        benchmark::RegisterBenchmark(("separable" + suffix).c_str(), [&, degree](benchmark::State& state) {
+          for (auto _ : state) benchmark::DoNotOptimize(projectProbe(map, {.degree = degree}));
+        }));
     configure(benchmark::RegisterBenchmark(("plain" + suffix).c_str(), [&, degree](benchmark::State& state) {
       for (auto _ : state) benchmark::DoNotOptimize(projectPlainly(map, degree));
     }));

@@ -1,5 +1,5 @@
-// Runs Google Benchmark and prints ratios of the fastest repetitions: on a shared machine the minimum is what the code
-// costs, and only a ratio taken in one run travels to another machine.
+// Runs Google Benchmark and prints ratios of the fastest repetitions: on a shared machine the minimum is what
+// the code costs, and only a ratio taken in one run travels to another machine.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -43,8 +43,9 @@ inline int runWithRatios(int argc, char** argv, const std::vector<Ratio>& ratios
   for (const Ratio& ratio : ratios) {
     const auto& fastest = reporter.fastest();
     if (!fastest.contains(ratio.numerator) || !fastest.contains(ratio.denominator)) continue;
-    std::printf("%s / %s = %.2f (bound %.2f; fastest repetition of each)\n", ratio.numerator.c_str(), ratio.denominator.c_str(),
-                fastest.at(ratio.numerator) / fastest.at(ratio.denominator), ratio.bound);
+    std::printf("%s / %s = %.2f (bound %.2f; fastest repetition of each)\n", ratio.numerator.c_str(),
+                ratio.denominator.c_str(), fastest.at(ratio.numerator) / fastest.at(ratio.denominator),
+                ratio.bound);
   }
   return 0;
 }

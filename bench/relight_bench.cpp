@@ -41,7 +41,9 @@ int main(int argc, char** argv) {
   std::vector<float> copy(transfers[1].values.size());
   for (TransferCoefficients& transfer : transfers) {
     const std::string suffix = transfer.channels == 1 ? "_grey" : "_rgb";
-    const auto configure = [](benchmark::internal::Benchmark* b) { b->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(7); };
+    const auto configure = [](benchmark::internal::Benchmark* b) {
+      b->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(7);
+    };
     configure(benchmark::RegisterBenchmark(("copy" + suffix).c_str(), [&](benchmark::State& state) {
       for (auto _ : state) {
         copyParallel(transfer.values, copy);

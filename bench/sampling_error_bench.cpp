@@ -1,7 +1,7 @@
-// RMS error of shadowed transfer against rays per vertex: the lattice that bakes use, and plain random directions.
-// Error is the RMS over vertices of the coefficient error's 2-norm, over the RMS of the unshadowed transfer's norm; the
-// reference is a bake of 65,536 rays with another seed. Prints a Markdown table; times nothing.
-// Usage: bench_sampling_error [MESH] [DEGREE] [REFERENCE_RAYS]
+// RMS error of shadowed transfer against rays per vertex: the lattice that bakes use, and plain random
+// directions. Error is the RMS over vertices of the coefficient error's 2-norm, over the RMS of the
+// unshadowed transfer's norm; the reference is a bake of 65,536 rays with another seed. Prints a Markdown
+// table; times nothing. Usage: bench_sampling_error [MESH] [DEGREE] [REFERENCE_RAYS]
 
 #include <cmath>
 #include <cstdio>
@@ -42,12 +42,17 @@ TransferCoefficients bakeRandom(const Mesh& mesh, std::span<const Vec3f> albedo,
         float x[kRayPacketSize], dy[kRayPacketSize], z[kRayPacketSize];
         for (int lane = 0; lane < kRayPacketSize; ++lane) {
           const auto counter = vertex * 65536 + static_cast<std::size_t>(first + lane);
-          d[lane] = frame.toWorld(sampleCosineHemisphere(uniformRandom(5, counter, 0), uniformRandom(5, counter, 1)));
-          x[lane] = static_cast<float>(d[lane].x), dy[lane] = static_cast<float>(d[lane].y), z[lane] = static_cast<float>(d[lane].z);
+          d[lane] = frame.toWorld(
+              sampleCosineHemisphere(uniformRandom(5, counter, 0), uniformRandom(5, counter, 1)));
+          x[lane] = static_cast<float>(d[lane].x), dy[lane] = static_cast<float>(d[lane].y),
+          z[lane] = static_cast<float>(d[lane].z);
         }
         const RayPacket packet{x, dy, z};
         std::uint32_t visible = 0xffff & ~horizon.hidden(packet);
-        if (visible) visible &= ~caster.occluded(topology.positions()[vertex], packet, visible, {topology.positionIds()[vertex], {}, static_cast<float>(topology.contactDistance())});
+        if (visible)
+          visible &= ~caster.occluded(
+              topology.positions()[vertex], packet, visible,
+              {topology.positionIds()[vertex], {}, static_cast<float>(topology.contactDistance())});
         for (int lane = 0; lane < kRayPacketSize; ++lane) {
           if (!((visible >> lane) & 1u)) continue;
           evaluateSh(degree, d[lane], y);
@@ -77,14 +82,18 @@ int main(int argc, char** argv) {
   const int referenceRays = argc > 3 ? std::atoi(argv[3]) : 65536;
   const Mesh mesh = loadMesh(path).mesh;
   const std::vector<Vec3f> albedo(mesh.positions.size(), Vec3f{1, 1, 1});
-  const TransferCoefficients reference = bakeShadowed(mesh, albedo, {.degree = degree, .rays = referenceRays, .seed = 999}).transfer;
+  const TransferCoefficients reference =
+      bakeShadowed(mesh, albedo, {.degree = degree, .rays = referenceRays, .seed = 999}).transfer;
   const double scale = norm(bakeUnshadowed(mesh, albedo, degree).transfer, nullptr);
-  std::printf("%s, %zu vertices, degree %d, reference %d rays\n\n| rays | lattice | random |\n|---|---|---|\n", path.c_str(),
-              mesh.positions.size(), degree, referenceRays);
+  std::printf(
+      "%s, %zu vertices, degree %d, reference %d rays\n\n| rays | lattice | random |\n|---|---|---|\n",
+      path.c_str(), mesh.positions.size(), degree, referenceRays);
   for (const int rays : {16, 64, 256, 1024, 4096}) {
-    const TransferCoefficients lattice = bakeShadowed(mesh, albedo, {.degree = degree, .rays = rays, .seed = 1}).transfer;
+    const TransferCoefficients lattice =
+        bakeShadowed(mesh, albedo, {.degree = degree, .rays = rays, .seed = 1}).transfer;
     const TransferCoefficients random = bakeRandom(mesh, albedo, degree, rays);
-    std::printf("| %d | %.2g | %.2g |\n", rays, norm(lattice, &reference) / scale, norm(random, &reference) / scale);
+    std::printf("| %d | %.2g | %.2g |\n", rays, norm(lattice, &reference) / scale,
+                norm(random, &reference) / scale);
     std::fflush(stdout);
   }
 }

@@ -27,7 +27,8 @@ std::size_t entries(const fs::path& folder) {
 }
 
 TEST(Error, IsOneLineWhateverTheFileIsCalled) {
-  EXPECT_STREQ(Error("a\nb.obj", "line 3: tab\there", "mend it").what(), "a?b.obj: line 3: tab?here; mend it");
+  EXPECT_STREQ(Error("a\nb.obj", "line 3: tab\there", "mend it").what(),
+               "a?b.obj: line 3: tab?here; mend it");
   EXPECT_STREQ(Error("a.obj", "is empty").what(), "a.obj: is empty");
 }
 
@@ -83,7 +84,8 @@ TEST(ReadFile, RefusesWhatCannotBeRead) {
 }
 
 TEST(Frame, IsOrthonormalAndRightHandedEverywhere) {
-  for (const Vec3d direction : {Vec3d{0, 0, 1}, Vec3d{0, 0, -1}, Vec3d{1e-9, 0, -1}, Vec3d{1, 2, -3}, Vec3d{-1, 1e-12, 0}}) {
+  for (const Vec3d direction :
+       {Vec3d{0, 0, 1}, Vec3d{0, 0, -1}, Vec3d{1e-9, 0, -1}, Vec3d{1, 2, -3}, Vec3d{-1, 1e-12, 0}}) {
     const Frame frame = frameFromNormal(normalize(direction));
     EXPECT_NEAR(dot(frame.tangent, frame.bitangent), 0, 1e-15);
     EXPECT_NEAR(dot(frame.tangent, frame.normal), 0, 1e-15);
@@ -94,7 +96,8 @@ TEST(Frame, IsOrthonormalAndRightHandedEverywhere) {
 
 TEST(Normalize, SurvivesTheEndsOfTheRange) {
   for (const double scale : {1e-300, 1e-5, 1.0, 1e300}) {
-    EXPECT_NEAR(length(normalize(Vec3d{3, -4, 12} * scale) - Vec3d{3.0 / 13, -4.0 / 13, 12.0 / 13}), 0, 1e-15);
+    EXPECT_NEAR(length(normalize(Vec3d{3, -4, 12} * scale) - Vec3d{3.0 / 13, -4.0 / 13, 12.0 / 13}), 0,
+                1e-15);
   }
   EXPECT_EQ(normalize({0, 0, 0}), (Vec3d{0, 0, 0}));
 }
@@ -110,7 +113,11 @@ TEST(Parallel, CoversEveryIndexOnceInFixedBlocks) {
     EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), 1001);
   }
   EXPECT_THROW(setThreadCount(-1), Error);
-  EXPECT_THROW(parallelForBlocks(10, 1, [](std::size_t begin, std::size_t) { if (begin == 7) throw Error("x", "y"); }), Error);
+  EXPECT_THROW(parallelForBlocks(10, 1,
+                                 [](std::size_t begin, std::size_t) {
+                                   if (begin == 7) throw Error("x", "y");
+                                 }),
+               Error);
   setThreadCount(0);
 }
 

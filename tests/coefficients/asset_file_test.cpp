@@ -1,8 +1,8 @@
 // The asset file: bits survive, and whatever is cut, flipped or claimed too large is refused.
 #include <gtest/gtest.h>
 
-#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <half.h>
 
 #include <cmath>
@@ -18,7 +18,9 @@
 namespace shprt {
 namespace {
 
-std::string scratch(const std::string& name) { return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name; }
+std::string scratch(const std::string& name) {
+  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
+}
 
 TransferAsset makeAsset(int degree, int channels, std::size_t vertices, bool textured) {
   TransferAsset asset;
@@ -26,7 +28,8 @@ TransferAsset makeAsset(int degree, int channels, std::size_t vertices, bool tex
   asset.transfer.channels = channels;
   asset.transfer.vertexCount = vertices;
   asset.transfer.values.resize(static_cast<std::size_t>(channels * coefficientCount(degree)) * vertices);
-  for (std::size_t i = 0; i < asset.transfer.values.size(); ++i) asset.transfer.values[i] = static_cast<float>(std::sin(0.37 * double(i)));
+  for (std::size_t i = 0; i < asset.transfer.values.size(); ++i)
+    asset.transfer.values[i] = static_cast<float>(std::sin(0.37 * double(i)));
   for (std::size_t v = 0; v < vertices; ++v) {
     const float f = static_cast<float>(v);
     asset.positions.push_back({f, -f, 0.5f * f});
@@ -67,7 +70,8 @@ void expectSame(const TransferAsset& a, const TransferAsset& b) {
 }
 
 TEST(AssetFile, ReadsBackTheSameBitsWithEveryCompression) {
-  for (const AssetCompression compression : {AssetCompression::kNone, AssetCompression::kZip, AssetCompression::kZips, AssetCompression::kPiz})
+  for (const AssetCompression compression :
+       {AssetCompression::kNone, AssetCompression::kZip, AssetCompression::kZips, AssetCompression::kPiz})
     for (const int channels : {1, 3})
       for (const std::size_t vertices : {3u, 64u, 20000u}) {
         const TransferAsset asset = makeAsset(vertices > 1000 ? 2 : 4, channels, vertices, channels == 3);
@@ -89,7 +93,8 @@ TEST(AssetFile, HalfIsRoundedToNearest) {
   const TransferAsset asset = makeAsset(2, 3, 50, false);
   writeAsset(scratch("half.prt.exr"), asset, {.half = true});
   const TransferAsset back = readAsset(scratch("half.prt.exr"));
-  for (std::size_t i = 0; i < asset.transfer.values.size(); ++i) EXPECT_EQ(back.transfer.values[i], float(Imath::half(asset.transfer.values[i])));
+  for (std::size_t i = 0; i < asset.transfer.values.size(); ++i)
+    EXPECT_EQ(back.transfer.values[i], float(Imath::half(asset.transfer.values[i])));
   TransferAsset large = asset;
   large.transfer.values[57] = 1e6f;
   try {
@@ -135,7 +140,8 @@ TEST(AssetFile, FlippedBytesAreRefusedOrHarmless) {
         try {
           const TransferAsset asset = readAsset(scratch("flip.prt.exr"));
           ASSERT_EQ(asset.positions.size(), asset.transfer.vertexCount);
-          for (const auto& t : asset.triangles) ASSERT_LT(std::max({t[0], t[1], t[2]}), asset.transfer.vertexCount);
+          for (const auto& t : asset.triangles)
+            ASSERT_LT(std::max({t[0], t[1], t[2]}), asset.transfer.vertexCount);
         } catch (const Error& error) {
           ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos);
         }
@@ -168,11 +174,17 @@ std::string attribute(const std::string& name, int value) {
 }
 
 TEST(AssetFile, RefusesWhatIsNewerOrInconsistent) {
-  EXPECT_NE(errorAfterReplacing(attribute("shprtFormatVersion", 1), attribute("shprtFormatVersion", 2)).find("use a newer shprt"), std::string::npos);
-  EXPECT_NE(errorAfterReplacing(attribute("shprtDegree", 1), attribute("shprtDegree", 2)).find("disagrees"), std::string::npos);
-  EXPECT_NE(errorAfterReplacing("no Condon-Shortley phase; right", "a Condon-Shortley phase!; right").find("another convention"), std::string::npos);
+  EXPECT_NE(errorAfterReplacing(attribute("shprtFormatVersion", 1), attribute("shprtFormatVersion", 2))
+                .find("use a newer shprt"),
+            std::string::npos);
+  EXPECT_NE(errorAfterReplacing(attribute("shprtDegree", 1), attribute("shprtDegree", 2)).find("disagrees"),
+            std::string::npos);
+  EXPECT_NE(errorAfterReplacing("no Condon-Shortley phase; right", "a Condon-Shortley phase!; right")
+                .find("another convention"),
+            std::string::npos);
   EXPECT_NE(errorAfterReplacing("\"degree\": 1", "\"degree\": 2").find("disagrees"), std::string::npos);
-  EXPECT_NE(errorAfterReplacing("\"condonShortley\": false", "\"condonShortley\": true ").find("convention"), std::string::npos);
+  EXPECT_NE(errorAfterReplacing("\"condonShortley\": false", "\"condonShortley\": true ").find("convention"),
+            std::string::npos);
 }
 
 TEST(AssetFile, RefusesIndicesAndValuesThatMakeNoSense) {
@@ -198,7 +210,8 @@ TEST(AssetFile, ReportsAFullDisk) {
       writeAsset("/dev/full", makeAsset(1, 1, vertices, false));
       ADD_FAILURE() << "a full disk went unnoticed";
     } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("/dev/full: cannot be written"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("/dev/full: cannot be written"), std::string::npos)
+          << error.what();
     }
   }
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));

@@ -13,12 +13,15 @@
 namespace shprt {
 namespace {
 
-std::string scratch(const std::string& name) { return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name; }
+std::string scratch(const std::string& name) {
+  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
+}
 
 LightCoefficients makeLight(int degree) {
   LightCoefficients light;
   light.degree = degree;
-  for (int i = 0; i < coefficientCount(degree); ++i) light.coefficients.push_back({std::exp(i % 30), std::sin(i) * 1e-300, -1.0 / (i + 1)});
+  for (int i = 0; i < coefficientCount(degree); ++i)
+    light.coefficients.push_back({std::exp(i % 30), std::sin(i) * 1e-300, -1.0 / (i + 1)});
   light.source = "a \"test\" \\ with\nmarks";
   light.statisticsJson = R"({"pixels":12})";
   return light;
@@ -38,7 +41,8 @@ TEST(LightFile, KeepsEveryBit) {
 }
 
 TEST(LightFile, MeasuresByDefinition) {
-  // Radiance 1 everywhere plus 0.5 d.x: average 1, and |L1|/L0 = 0.5/3 (4-pi-normalised: L1 is the mean of radiance times direction).
+  // Radiance 1 everywhere plus 0.5 d.x: average 1, and |L1|/L0 = 0.5/3 (4-pi-normalised: L1 is the mean of
+  // radiance times direction).
   LightCoefficients light;
   light.degree = 1;
   light.coefficients.assign(4, {0, 0, 0});

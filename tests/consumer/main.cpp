@@ -15,6 +15,7 @@ int main() {
   const std::vector<shprt::Vec3f> albedo(3, {1, 1, 1});
   const shprt::Bake bake = shprt::bakeShadowed(mesh, albedo, {.degree = 2, .rays = 16, .seed = 1});
   const auto radiance = shprt::relight(bake.transfer, shprt::projectConstant({1, 2, 3}, 2));
-  std::printf("shprt %s: radiance %g %g %g\n", shprt::kVersion, double(radiance[0].x), double(radiance[0].y), double(radiance[0].z));
+  std::printf("shprt %s: radiance %g %g %g\n", shprt::kVersion, double(radiance[0].x), double(radiance[0].y),
+              double(radiance[0].z));
   return std::abs(radiance[0].z - 3) < 1e-5f ? 0 : 1;
 }

@@ -17,18 +17,21 @@ namespace {
 namespace fs = std::filesystem;
 using std::numbers::pi;
 
-std::string scratch(const std::string& name) { return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name; }
+std::string scratch(const std::string& name) {
+  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
+}
 
 struct Case {
   EnvironmentLayout layout;
   int width, height;
 };
-const Case kCases[] = {{EnvironmentLayout::kLatitudeLongitude, 64, 32}, {EnvironmentLayout::kLatitudeLongitude, 33, 17},
-                       {EnvironmentLayout::kAngularMap, 48, 48},        {EnvironmentLayout::kAngularMap, 31, 31},
-                       {EnvironmentLayout::kMirroredBall, 48, 48},      {EnvironmentLayout::kMirroredBall, 31, 31},
-                       {EnvironmentLayout::kVerticalCross, 48, 64},     {EnvironmentLayout::kHorizontalCross, 64, 48},
-                       {EnvironmentLayout::kCubeFaces, 16, 96},         {EnvironmentLayout::kCubeStrip, 15, 90},
-                       {EnvironmentLayout::kOpenExrCube, 16, 96}};
+const Case kCases[] = {
+    {EnvironmentLayout::kLatitudeLongitude, 64, 32}, {EnvironmentLayout::kLatitudeLongitude, 33, 17},
+    {EnvironmentLayout::kAngularMap, 48, 48},        {EnvironmentLayout::kAngularMap, 31, 31},
+    {EnvironmentLayout::kMirroredBall, 48, 48},      {EnvironmentLayout::kMirroredBall, 31, 31},
+    {EnvironmentLayout::kVerticalCross, 48, 64},     {EnvironmentLayout::kHorizontalCross, 64, 48},
+    {EnvironmentLayout::kCubeFaces, 16, 96},         {EnvironmentLayout::kCubeStrip, 15, 90},
+    {EnvironmentLayout::kOpenExrCube, 16, 96}};
 
 TEST(Layouts, SolidAnglesCoverTheSphereOnce) {
   for (const Case& c : kCases) {
@@ -38,11 +41,13 @@ TEST(Layouts, SolidAnglesCoverTheSphereOnce) {
       for (int x = 0; x < c.width; ++x) {
         const PixelFootprint footprint = pixelFootprint(c.layout, c.width, c.height, x, y);
         ASSERT_GE(footprint.solidAngle, 0);
-        ASSERT_NEAR(length(footprint.direction), footprint.solidAngle > 0 ? 1 : length(footprint.direction), 1e-12);
+        ASSERT_NEAR(length(footprint.direction), footprint.solidAngle > 0 ? 1 : length(footprint.direction),
+                    1e-12);
         sum += footprint.solidAngle;
         moment += footprint.direction * footprint.solidAngle;
       }
-    const bool ball = c.layout == EnvironmentLayout::kAngularMap || c.layout == EnvironmentLayout::kMirroredBall;
+    const bool ball =
+        c.layout == EnvironmentLayout::kAngularMap || c.layout == EnvironmentLayout::kMirroredBall;
     EXPECT_NEAR(sum / (4 * pi), 1, ball ? 2e-5 : 1e-12) << layoutName(c.layout) << " " << c.width;
     EXPECT_NEAR(length(moment), 0, 0.02) << layoutName(c.layout);  // no side of the sphere is favoured
   }
@@ -54,15 +59,18 @@ TEST(Layouts, PositionsAndDirectionsAreInverse) {
       for (int x = 0; x < c.width; ++x) {
         const PixelFootprint footprint = pixelFootprint(c.layout, c.width, c.height, x, y);
         if (footprint.solidAngle <= 0) continue;
-        const bool ball = c.layout == EnvironmentLayout::kAngularMap || c.layout == EnvironmentLayout::kMirroredBall;
-        if (ball && std::hypot((2 * x + 1.0) / c.width - 1, (2 * y + 1.0) / c.height - 1) > 1 - 3.0 / c.width) continue;
+        const bool ball =
+            c.layout == EnvironmentLayout::kAngularMap || c.layout == EnvironmentLayout::kMirroredBall;
+        if (ball && std::hypot((2 * x + 1.0) / c.width - 1, (2 * y + 1.0) / c.height - 1) > 1 - 3.0 / c.width)
+          continue;
         const PixelPosition position = pixelPosition(c.layout, c.width, c.height, footprint.direction);
         ASSERT_NEAR(position.x, x + 0.5, 1e-6) << layoutName(c.layout) << " " << x << " " << y;
         ASSERT_NEAR(position.y, y + 0.5, 1e-6) << layoutName(c.layout) << " " << x << " " << y;
       }
 }
 
-// The same scene in every layout: a smooth function of direction, painted by one mapping and read by the other.
+// The same scene in every layout: a smooth function of direction, painted by one mapping and read by the
+// other.
 TEST(Layouts, AgreeOnWhereThingsAre) {
   const auto scene = [](Vec3d d) { return Vec3f{float(1 + d.x), float(1 + d.y), float(1 + d.z)}; };
   for (const Case& c : kCases) {
@@ -70,8 +78,11 @@ TEST(Layouts, AgreeOnWhereThingsAre) {
     map.layout = c.layout;
     map.image = {4 * c.width, 4 * c.height, {}};
     for (int y = 0; y < map.image.height; ++y)
-      for (int x = 0; x < map.image.width; ++x) map.image.pixels.push_back(scene(pixelFootprint(c.layout, map.image.width, map.image.height, x, y).direction));
-    for (const Vec3d d : {Vec3d{1, 0, 0}, Vec3d{-1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, 1}, normalize({1, 2, 3}), normalize({-2, 1, -1})}) {
+      for (int x = 0; x < map.image.width; ++x)
+        map.image.pixels.push_back(
+            scene(pixelFootprint(c.layout, map.image.width, map.image.height, x, y).direction));
+    for (const Vec3d d : {Vec3d{1, 0, 0}, Vec3d{-1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, 1},
+                          normalize({1, 2, 3}), normalize({-2, 1, -1})}) {
       // The whole rim of a mirrored ball shows the one direction behind it, too coarsely to be read.
       if (c.layout == EnvironmentLayout::kMirroredBall && d.z > 0.9) continue;
       const Vec3f seen = sampleEnvironment(map, d), expected = scene(d);
@@ -109,8 +120,10 @@ TEST(Layouts, AreDrawnAsTheConventionsSay) {
 TEST(Layouts, CrossesJoinAtTheirInnerEdges) {
   const int n = 32;
   for (int i = 0; i < n; ++i) {
-    for (const auto [ax, ay, bx, by] : {std::array{n - 1, n + i, n, n + i}, std::array{2 * n - 1, n + i, 2 * n, n + i}, std::array{n + i, n - 1, n + i, n},
-                                        std::array{n + i, 2 * n - 1, n + i, 2 * n}, std::array{n + i, 3 * n - 1, n + i, 3 * n}}) {
+    for (const auto [ax, ay, bx, by] :
+         {std::array{n - 1, n + i, n, n + i}, std::array{2 * n - 1, n + i, 2 * n, n + i},
+          std::array{n + i, n - 1, n + i, n}, std::array{n + i, 2 * n - 1, n + i, 2 * n},
+          std::array{n + i, 3 * n - 1, n + i, 3 * n}}) {
       const Vec3d a = pixelFootprint(EnvironmentLayout::kVerticalCross, 3 * n, 4 * n, ax, ay).direction;
       const Vec3d b = pixelFootprint(EnvironmentLayout::kVerticalCross, 3 * n, 4 * n, bx, by).direction;
       EXPECT_GT(dot(a, b), std::cos(2.5 / n));
@@ -157,7 +170,9 @@ TEST(Images, EveryTruncationEndsInAnErrorOrAPicture) {
 
 TEST(Environment, GuessesTheLayoutAndSaysWhy) {
   const auto guess = [](const std::string& name, int w, int h, float corner) {
-    Image image{w, h, std::vector<Vec3f>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), Vec3f{corner, corner, corner})};
+    Image image{w, h,
+                std::vector<Vec3f>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h),
+                                   Vec3f{corner, corner, corner})};
     image.at(w / 2, h / 2) = {1, 1, 1};
     saveImage(scratch(name), image);
     return layoutName(loadEnvironment(scratch(name)).layout);
@@ -179,7 +194,8 @@ TEST(Environment, FindsSixFaces) {
   fs::create_directories(folder);
   int value = 1;
   for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"}) {
-    saveImage(folder / ("sky_" + std::string(face) + ".exr"), Image{2, 2, std::vector<Vec3f>(4, Vec3f{float(value), 0, 0})});
+    saveImage(folder / ("sky_" + std::string(face) + ".exr"),
+              Image{2, 2, std::vector<Vec3f>(4, Vec3f{float(value), 0, 0})});
     ++value;
   }
   for (const fs::path& way : {folder, folder / "sky_%s.exr", folder / "sky_ny.exr"}) {
@@ -194,9 +210,15 @@ TEST(Environment, FindsSixFaces) {
 }
 
 TEST(SharedImages, ProblemFilesEndInAPictureOrOneLine) {
-  if (!fs::exists(SHPRT_SHARED_DIR "/data/problem")) GTEST_SKIP() << "SKIPPED: no problem images in " SHPRT_SHARED_DIR;
-  const std::pair<const char*, const char*> refused[] = {{"img_bomb-40000.hdr", "bytes can hold"}, {"img_crash-res.hdr", ""}, {"img_lfs_pointer.hdr", "git lfs pull"},
-                                                         {"img_damaged1.exr", ""}, {"img_damaged2.exr", ""}, {"cow.obj", "cannot be read as an image"}, {"empty.obj", "is empty"}};
+  if (!fs::exists(SHPRT_SHARED_DIR "/data/problem"))
+    GTEST_SKIP() << "SKIPPED: no problem images in " SHPRT_SHARED_DIR;
+  const std::pair<const char*, const char*> refused[] = {{"img_bomb-40000.hdr", "bytes can hold"},
+                                                         {"img_crash-res.hdr", ""},
+                                                         {"img_lfs_pointer.hdr", "git lfs pull"},
+                                                         {"img_damaged1.exr", ""},
+                                                         {"img_damaged2.exr", ""},
+                                                         {"cow.obj", "cannot be read as an image"},
+                                                         {"empty.obj", "is empty"}};
   for (const auto& [file, fragment] : refused) {
     try {
       loadImage(std::string(SHPRT_SHARED_DIR "/data/problem/") + file);
@@ -206,8 +228,10 @@ TEST(SharedImages, ProblemFilesEndInAPictureOrOneLine) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }
   }
-  for (const char* file : {"img_BrightRingsNanInf.exr", "img_WideColorGamut.exr", "img_AllHalfValues.exr", "img_GrayRampsHorizontal.exr", "img_Garden_Y.exr"}) {
-    EXPECT_GT(loadImage(std::string(SHPRT_SHARED_DIR "/data/problem/") + file).image.pixels.size(), 0u) << file;
+  for (const char* file : {"img_BrightRingsNanInf.exr", "img_WideColorGamut.exr", "img_AllHalfValues.exr",
+                           "img_GrayRampsHorizontal.exr", "img_Garden_Y.exr"}) {
+    EXPECT_GT(loadImage(std::string(SHPRT_SHARED_DIR "/data/problem/") + file).image.pixels.size(), 0u)
+        << file;
   }
 }
 

@@ -1,8 +1,8 @@
 // The rules of the loader, one small file at a time.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <clocale>
+#include <cmath>
 #include <cstring>
 #include <locale>
 #include <numbers>
@@ -52,16 +52,19 @@ TEST(LoadMesh, UsesTheNormalsOfTheFileUnlessACreaseAngleIsAsked) {
 }
 
 TEST(LoadMesh, ComputesNormalsThatTheFileLacksOrGivesWrong) {
-  const Mesh mesh = loadText("partial.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn nan 0 1\nvn 0 0 0\nvn 1 0 0\n"
-                                            "f 1//1 2//3 3//3\nf 2//3 4//3 3//3\nf 1//2 4//2 2//2\n");
+  const Mesh mesh = loadText("partial.obj",
+                             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn nan 0 1\nvn 0 0 0\nvn 1 0 0\n"
+                             "f 1//1 2//3 3//3\nf 2//3 4//3 3//3\nf 1//2 4//2 2//2\n");
   EXPECT_EQ(mesh.report.generatedNormals, 6u);
   EXPECT_TRUE(mesh.report.normalsFromFile);
 }
 
 TEST(LoadMesh, TellsSeamsAndMaterialsApart) {
-  const Mesh mesh = loadText("seams.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\n"
-                                          "usemtl a\nf 1/1 2/2 3/3\nf 2/2 4/4 3/1\nusemtl b\nf 1/1 3/3 2/2\n");
-  // Two vertices of the second face are new: 4 and the seam at 3; the third face has another normal and material.
+  const Mesh mesh = loadText("seams.obj",
+                             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\n"
+                             "usemtl a\nf 1/1 2/2 3/3\nf 2/2 4/4 3/1\nusemtl b\nf 1/1 3/3 2/2\n");
+  // Two vertices of the second face are new: 4 and the seam at 3; the third face has another normal and
+  // material.
   EXPECT_EQ(mesh.positions.size(), 8u);
   EXPECT_EQ(mesh.textureCoordinates[1], (Vec2f{1, 0}));
   ASSERT_EQ(mesh.materials.size(), 2u);
@@ -70,8 +73,13 @@ TEST(LoadMesh, TellsSeamsAndMaterialsApart) {
 }
 
 TEST(LoadMesh, ReadsMaterialsAndTheirQuirks) {
-  test::writeScratch("some colours.mtl", "newmtl red\nKd 0.5 0.25 2\nnewmtl wood\nKd 1 1 1\nmap_Kd -s 2 2 1 -clamp on my wood.png\r\n");
-  const LoadedMesh loaded = loadMesh(test::writeScratch("mtl.obj", "mtllib some colours.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 3\nusemtl red\nf 3 2 1\nusemtl none\nf 1 2 3\n"));
+  test::writeScratch(
+      "some colours.mtl",
+      "newmtl red\nKd 0.5 0.25 2\nnewmtl wood\nKd 1 1 1\nmap_Kd -s 2 2 1 -clamp on my wood.png\r\n");
+  const LoadedMesh loaded =
+      loadMesh(test::writeScratch("mtl.obj",
+                                  "mtllib some colours.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 "
+                                  "3\nusemtl red\nf 3 2 1\nusemtl none\nf 1 2 3\n"));
   const Mesh& mesh = loaded.mesh;
   ASSERT_EQ(mesh.materials.size(), 3u);
   EXPECT_EQ(mesh.materials[0].diffuseTexture, "my wood.png");
@@ -85,7 +93,9 @@ TEST(LoadMesh, ReadsMaterialsAndTheirQuirks) {
 
 TEST(LoadMesh, KeepsEveryKindOfNonManifoldFace) {
   // Three sheets on one edge, one of them twice, and one turned over.
-  const Mesh mesh = loadText("fan.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -1 0 0\nv 0 1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\nf 1 2 5\nf 2 1 5\n");
+  const Mesh mesh =
+      loadText("fan.obj",
+               "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -1 0 0\nv 0 1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\nf 1 2 5\nf 2 1 5\n");
   EXPECT_EQ(mesh.triangles.size(), 5u);
   EXPECT_EQ(mesh.report.zeroAreaTriangles, 0u);
   // The two sides of the doubled sheet have opposite normals.
@@ -97,7 +107,9 @@ TEST(LoadMesh, KeepsEveryKindOfNonManifoldFace) {
 }
 
 TEST(LoadMesh, BadPositionsDoNotShiftIndices) {
-  const Mesh mesh = loadText("shift.obj", "v 0 0 0\nv nan 0 0\nv 1e400 0 0\nv 0,5 1 1\nv 1 2\nv 0x1p3 0 0\nv +1 0 0\nv 0 1 0\nf 1 7 8\nf 1 2 8\n");
+  const Mesh mesh = loadText("shift.obj",
+                             "v 0 0 0\nv nan 0 0\nv 1e400 0 0\nv 0,5 1 1\nv 1 2\nv 0x1p3 0 0\nv +1 0 0\nv 0 "
+                             "1 0\nf 1 7 8\nf 1 2 8\n");
   EXPECT_EQ(mesh.report.nonFiniteVertices, 5u);
   EXPECT_EQ(mesh.report.nonFiniteFaces, 1u);
   ASSERT_EQ(mesh.positions.size(), 3u);
@@ -106,8 +118,10 @@ TEST(LoadMesh, BadPositionsDoNotShiftIndices) {
 }
 
 TEST(LoadMesh, ReadsIndicesOfEveryForm) {
-  const Mesh mesh = loadText("forms.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1/ 2/ 3/\nf 1// 2// 3//\nf 4 5 \\\n6\nf 1 2 99\nf 0 1 2\nf 1 x 2\nf 1.5 2 3\nf 1 2\n"
-                                          "v 0 0 1\nv 1 0 1\nv 0 1 1\n");
+  const Mesh mesh = loadText("forms.obj",
+                             "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1/ 2/ 3/\nf 1// 2// 3//\nf 4 5 "
+                             "\\\n6\nf 1 2 99\nf 0 1 2\nf 1 x 2\nf 1.5 2 3\nf 1 2\n"
+                             "v 0 0 1\nv 1 0 1\nv 0 1 1\n");
   EXPECT_EQ(mesh.triangles.size(), 4u);
   EXPECT_EQ(mesh.report.badIndexFaces, 4u);
   EXPECT_EQ(mesh.report.shortFaces, 1u);
@@ -141,7 +155,8 @@ TEST(LoadMesh, IgnoresTheLocale) {
   EXPECT_EQ(mesh.positions[2].y, 1.25f);
 }
 
-double area(const std::vector<Vec3d>& corners, const std::vector<std::array<std::uint32_t, 3>>& triangles, Vec3d normal) {
+double area(const std::vector<Vec3d>& corners, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+            Vec3d normal) {
   double sum = 0;
   for (const auto& [a, b, c] : triangles) {
     const double twice = dot(cross(corners[b] - corners[a], corners[c] - corners[a]), normal);
@@ -153,12 +168,17 @@ double area(const std::vector<Vec3d>& corners, const std::vector<std::array<std:
 
 TEST(Triangulate, CutsConcavePolygonsInAnyPlane) {
   // A comb with teeth: 3 of height 2 on a base of height 1, width 5.
-  const std::vector<Vec3d> flat = {{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {4, 3, 0}, {4, 1, 0}, {3, 1, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
+  const std::vector<Vec3d> flat = {{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {4, 3, 0}, {4, 1, 0}, {3, 1, 0},
+                                   {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}};
   for (const int axis : {0, 1, 2})
     for (const bool reversed : {false, true})
       for (const double scale : {1e-30, 1.0, 1e30}) {
         std::vector<Vec3d> corners;
-        for (const Vec3d& p : flat) corners.push_back((axis == 0 ? p : axis == 1 ? Vec3d{p.y, p.z, p.x} : Vec3d{p.z, p.x, p.y}) * scale);
+        for (const Vec3d& p : flat)
+          corners.push_back((axis == 0   ? p
+                             : axis == 1 ? Vec3d{p.y, p.z, p.x}
+                                         : Vec3d{p.z, p.x, p.y}) *
+                            scale);
         if (reversed) std::reverse(corners.begin(), corners.end());
         std::vector<std::array<std::uint32_t, 3>> triangles;
         EXPECT_TRUE(triangulate(corners, triangles));
@@ -171,7 +191,8 @@ TEST(Triangulate, CutsConcavePolygonsInAnyPlane) {
 
 TEST(Triangulate, CutsAroundABridgedHole) {
   // A square with a square hole, joined by a bridge that is walked twice.
-  const std::vector<Vec3d> corners = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
+  const std::vector<Vec3d> corners = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
+                                      {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   std::vector<std::array<std::uint32_t, 3>> triangles;
   triangulate(corners, triangles);
   ASSERT_EQ(triangles.size(), 8u);
@@ -179,7 +200,9 @@ TEST(Triangulate, CutsAroundABridgedHole) {
 }
 
 TEST(LoadMesh, PolygonsThatNameAVertexTwiceKeepTheirHole) {
-  const Mesh mesh = loadText("hole.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5\n");
+  const Mesh mesh = loadText(
+      "hole.obj",
+      "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5\n");
   EXPECT_EQ(mesh.triangles.size(), 8u);
   EXPECT_EQ(mesh.positions.size(), 8u);
   EXPECT_EQ(mesh.report.sourceVertices, 8u);
@@ -189,7 +212,9 @@ TEST(LoadMesh, PolygonsThatNameAVertexTwiceKeepTheirHole) {
 TEST(Triangulate, AlwaysEnds) {
   // A star that crosses itself, a line, a point, and a polygon of many corners.
   std::vector<Vec3d> star, line, point(7, Vec3d{1, 1, 1}), gear;
-  for (int i = 0; i < 11; ++i) star.push_back({std::cos(i * 5 * 2 * std::numbers::pi / 11), std::sin(i * 5 * 2 * std::numbers::pi / 11), 0});
+  for (int i = 0; i < 11; ++i)
+    star.push_back(
+        {std::cos(i * 5 * 2 * std::numbers::pi / 11), std::sin(i * 5 * 2 * std::numbers::pi / 11), 0});
   for (int i = 0; i < 9; ++i) line.push_back({double(i % 5), 2.0 * (i % 5), 0});
   for (int i = 0; i < 3000; ++i) {
     const double r = i % 2 ? 1 : 1.2, a = i * 2 * std::numbers::pi / 3000;
@@ -232,13 +257,24 @@ TEST(LoadMesh, RefusesWhatIsNoMesh) {
   EXPECT_NE(test::errorOf(SHPRT_TEST_OUTPUT_DIR).find("is a directory"), std::string::npos);
   EXPECT_NE(test::errorOf("/no/such.obj").find("no such file"), std::string::npos);
   EXPECT_NE(test::errorOf(test::writeScratch("a.xyz", "hello")).find("no mesh format"), std::string::npos);
-  EXPECT_NE(test::errorOf(test::writeScratch("a.ply", "hello")).find("does not begin with 'ply'"), std::string::npos);
-  EXPECT_NE(test::errorOf(test::writeScratch("a.off", "hello")).find("does not begin with OFF"), std::string::npos);
-  EXPECT_NE(test::errorOf(test::writeScratch("b.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n")).find("no end_header"), std::string::npos);
-  EXPECT_NE(test::errorOf(test::writeScratch("c.ply", "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n")).find("more than its"), std::string::npos);
+  EXPECT_NE(test::errorOf(test::writeScratch("a.ply", "hello")).find("does not begin with 'ply'"),
+            std::string::npos);
+  EXPECT_NE(test::errorOf(test::writeScratch("a.off", "hello")).find("does not begin with OFF"),
+            std::string::npos);
+  EXPECT_NE(test::errorOf(
+                test::writeScratch("b.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"))
+                .find("no end_header"),
+            std::string::npos);
+  EXPECT_NE(
+      test::errorOf(test::writeScratch("c.ply",
+                                       "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float "
+                                       "x\nproperty float y\nproperty float z\nend_header\n1 2 3\n"))
+          .find("more than its"),
+      std::string::npos);
 }
 
-// --- damage -----------------------------------------------------------------------------------------------------------
+// --- damage
+// -----------------------------------------------------------------------------------------------------------
 
 template <typename T>
 void append(std::string& bytes, T value) {
@@ -253,12 +289,18 @@ struct Sample {
 std::vector<Sample> tetrahedra() {
   const float positions[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::int32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                    "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
-  std::string bigPly = "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
-                       "element face 4\nproperty list uint ushort vertex_index\nend_header\n";
+  std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\n"
+      "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string bigPly =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty "
+      "double z\n"
+      "element face 4\nproperty list uint ushort vertex_index\nend_header\n";
   std::string off = "OFF BINARY\n", stl(80, ' '), obj, asciiOff = "OFF\n4 4 0\n", asciiStl = "solid t\n",
-              asciiPly = "ply\nformat ascii 1.0\nelement face 4\nproperty list uchar int vertex_indices\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+              asciiPly =
+                  "ply\nformat ascii 1.0\nelement face 4\nproperty list uchar int vertex_indices\nelement "
+                  "vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
   const auto big = [](std::string& bytes, auto value) {
     char raw[sizeof value];
     std::memcpy(raw, &value, sizeof value);
@@ -267,7 +309,8 @@ std::vector<Sample> tetrahedra() {
   append(off, std::int32_t{4}), append(off, std::int32_t{4}), append(off, std::int32_t{0});
   append(stl, std::uint32_t{4});
   for (const auto& p : positions) {
-    const std::string text = std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+    const std::string text =
+        std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
     obj += "v " + text;
     asciiOff += text;
     for (const float c : p) append(ply, c), append(off, c), big(bigPly, static_cast<double>(c));
@@ -279,18 +322,22 @@ std::vector<Sample> tetrahedra() {
     for (const std::int32_t i : f) {
       append(ply, i), append(off, i), big(bigPly, static_cast<std::uint16_t>(i));
       for (const float c : positions[i]) append(stl, c);
-      asciiStl += "vertex " + std::to_string(positions[i][0]) + " " + std::to_string(positions[i][1]) + " " + std::to_string(positions[i][2]) + "\n";
+      asciiStl += "vertex " + std::to_string(positions[i][0]) + " " + std::to_string(positions[i][1]) + " " +
+                  std::to_string(positions[i][2]) + "\n";
     }
     append(stl, std::uint16_t{0});
     asciiStl += "endloop\nendfacet\n";
     const std::string zero = std::to_string(f[0]) + " " + std::to_string(f[1]) + " " + std::to_string(f[2]);
-    obj += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) + "\n";
+    obj += "f " + std::to_string(f[0] + 1) + " " + std::to_string(f[1] + 1) + " " + std::to_string(f[2] + 1) +
+           "\n";
     asciiOff += "3 " + zero + "\n";
     asciiPly += "3 " + zero + "\n";
   }
-  for (const auto& p : positions) asciiPly += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  for (const auto& p : positions)
+    asciiPly += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
   asciiStl += "endsolid t\n";
-  return {{"t.ply", ply}, {"tb.ply", bigPly}, {"ta.ply", asciiPly}, {"t.off", off}, {"ta.off", asciiOff}, {"t.stl", stl}, {"ta.stl", asciiStl}, {"t.obj", obj}};
+  return {{"t.ply", ply},       {"tb.ply", bigPly}, {"ta.ply", asciiPly}, {"t.off", off},
+          {"ta.off", asciiOff}, {"t.stl", stl},     {"ta.stl", asciiStl}, {"t.obj", obj}};
 }
 
 TEST(Damage, WholeSamplesLoadInEveryFormat) {
@@ -307,8 +354,10 @@ TEST(Damage, EveryTruncationLoadsWhatIsThereOrIsRefused) {
     for (std::size_t length = 0; length < sample.bytes.size(); ++length) {
       try {
         const Mesh mesh = loadText("cut_" + sample.name, sample.bytes.substr(0, length));
-        // Text without counts may end early without a trace; formats with counts may lose only what comes after them.
-        EXPECT_TRUE(sample.name == "t.obj" || sample.name == "ta.stl" || mesh.triangles.size() == 4) << sample.name << " " << length;
+        // Text without counts may end early without a trace; formats with counts may lose only what comes
+        // after them.
+        EXPECT_TRUE(sample.name == "t.obj" || sample.name == "ta.stl" || mesh.triangles.size() == 4)
+            << sample.name << " " << length;
       } catch (const Error&) {
       }
     }

@@ -14,7 +14,9 @@
 
 namespace shprt::test {
 
-inline std::string scratch(const std::string& name) { return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name; }
+inline std::string scratch(const std::string& name) {
+  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
+}
 
 inline std::string writeScratch(const std::string& name, const std::string& bytes) {
   const std::string path = scratch(name);
@@ -68,7 +70,8 @@ inline std::vector<ManifestRow> readManifest() {
     }
     if (cells.size() < 6 || (!cells[1].starts_with("meshes/") && !cells[1].starts_with("problem/"))) continue;
     ManifestRow row{cells[1]};
-    if (!cells[3].empty() && std::isdigit(static_cast<unsigned char>(cells[3][0])) && cells[3].find('x') == std::string::npos) {
+    if (!cells[3].empty() && std::isdigit(static_cast<unsigned char>(cells[3][0])) &&
+        cells[3].find('x') == std::string::npos) {
       row.vertices = std::stoull(cells[3]);
       row.faces = std::stoull(cells[4]);
       row.triangles = std::stoull(cells[5]);

@@ -45,19 +45,22 @@ bool isMeshFile(const std::string& file) {
 }
 
 TEST(SharedMeshes, LoadWithTheCountsOfTheManifestOrAClearError) {
-  if (!std::filesystem::exists(SHPRT_SHARED_DIR "/data/MANIFEST.md")) GTEST_SKIP() << "SKIPPED: no meshes in " SHPRT_SHARED_DIR;
+  if (!std::filesystem::exists(SHPRT_SHARED_DIR "/data/MANIFEST.md"))
+    GTEST_SKIP() << "SKIPPED: no meshes in " SHPRT_SHARED_DIR;
   int loaded = 0, refused = 0;
   for (const test::ManifestRow& row : test::readManifest()) {
     if (!isMeshFile(row.file)) continue;
     const std::string path = std::string(SHPRT_SHARED_DIR "/data/") + row.file;
     if (const auto expected = kRefused.find(row.file); expected != kRefused.end()) {
-      EXPECT_NE(test::errorOf(path).find(expected->second), std::string::npos) << row.file << ": " << test::errorOf(path);
+      EXPECT_NE(test::errorOf(path).find(expected->second), std::string::npos)
+          << row.file << ": " << test::errorOf(path);
       ++refused;
       continue;
     }
     const auto own = kOwnCounts.find(row.file);
     ASSERT_TRUE(row.counted || own != kOwnCounts.end()) << row.file;
-    const Counts expected = own != kOwnCounts.end() ? own->second : Counts{row.vertices, row.faces, row.triangles};
+    const Counts expected =
+        own != kOwnCounts.end() ? own->second : Counts{row.vertices, row.faces, row.triangles};
     const Mesh mesh = loadMesh(path).mesh;
     const MeshReport& report = mesh.report;
     EXPECT_EQ(report.sourceVertices, expected.vertices) << row.file;
@@ -77,8 +80,11 @@ TEST(SharedMeshes, LoadWithTheCountsOfTheManifestOrAClearError) {
 }
 
 TEST(SharedMeshes, DefectsAreCountedAsTheManifestSays) {
-  if (!std::filesystem::exists(SHPRT_SHARED_DIR "/data/MANIFEST.md")) GTEST_SKIP() << "SKIPPED: no meshes in " SHPRT_SHARED_DIR;
-  const auto report = [](const char* file) { return loadMesh(std::string(SHPRT_SHARED_DIR "/data/") + file).mesh.report; };
+  if (!std::filesystem::exists(SHPRT_SHARED_DIR "/data/MANIFEST.md"))
+    GTEST_SKIP() << "SKIPPED: no meshes in " SHPRT_SHARED_DIR;
+  const auto report = [](const char* file) {
+    return loadMesh(std::string(SHPRT_SHARED_DIR "/data/") + file).mesh.report;
+  };
   EXPECT_EQ(report("meshes/stanford-bunny.obj").unreferencedVertices, 1113u);
   EXPECT_EQ(report("meshes/ogre.obj").zeroAreaTriangles, 4u);
   EXPECT_EQ(report("meshes/202.obj").zeroAreaTriangles, 2u);

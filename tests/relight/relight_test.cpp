@@ -15,15 +15,18 @@ TransferCoefficients makeTransfer(int degree, int channels, std::size_t vertices
   transfer.degree = degree;
   transfer.channels = channels;
   transfer.vertexCount = vertices;
-  transfer.values.resize(static_cast<std::size_t>(channels) * static_cast<std::size_t>(coefficientCount(degree)) * vertices);
-  for (std::size_t i = 0; i < transfer.values.size(); ++i) transfer.values[i] = static_cast<float>(std::sin(0.7 * double(i) + 0.3));
+  transfer.values.resize(static_cast<std::size_t>(channels) *
+                         static_cast<std::size_t>(coefficientCount(degree)) * vertices);
+  for (std::size_t i = 0; i < transfer.values.size(); ++i)
+    transfer.values[i] = static_cast<float>(std::sin(0.7 * double(i) + 0.3));
   return transfer;
 }
 
 LightCoefficients makeLight(int degree) {
   LightCoefficients light;
   light.degree = degree;
-  for (int i = 0; i < coefficientCount(degree); ++i) light.coefficients.push_back({std::cos(i), 2 * std::cos(3.1 * i), -std::cos(5.3 * i)});
+  for (int i = 0; i < coefficientCount(degree); ++i)
+    light.coefficients.push_back({std::cos(i), 2 * std::cos(3.1 * i), -std::cos(5.3 * i)});
   return light;
 }
 
@@ -39,7 +42,8 @@ TEST(Relight, IsTheDotProductOfEachVertex) {
           double expected[3] = {};
           for (int i = 0; i < coefficientCount(degree); ++i)
             for (int c = 0; c < 3; ++c) {
-              expected[c] += double(transfer.row(channels == 1 ? 0 : c, i)[v]) * light.coefficients[size_t(i)][size_t(c)];
+              expected[c] += double(transfer.row(channels == 1 ? 0 : c, i)[v]) *
+                             light.coefficients[size_t(i)][size_t(c)];
             }
           EXPECT_NEAR(radiance[v].x, expected[0], 1e-5);
           EXPECT_NEAR(radiance[v].y, expected[1], 1e-5);

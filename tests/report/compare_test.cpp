@@ -72,7 +72,8 @@ TEST(Compare, SaysWhyNot) {
   b.transfer.vertexCount = 3;
   EXPECT_FALSE(compareAssets(a, b, {}).comparable);
   EXPECT_FALSE(compareAssets(a, b, {}).equal());
-  LightCoefficients light{.degree = 0, .coefficients = {{1, 2, 3}}, .source = "", .statisticsJson = ""}, other{.degree = 1, .coefficients = {4, {0, 0, 0}}, .source = "", .statisticsJson = ""};
+  LightCoefficients light{.degree = 0, .coefficients = {{1, 2, 3}}, .source = "", .statisticsJson = ""},
+      other{.degree = 1, .coefficients = {4, {0, 0, 0}}, .source = "", .statisticsJson = ""};
   EXPECT_FALSE(compareLights(light, other, {}).comparable);
   Image small{1, 1, {{}}}, large{2, 1, {{}, {}}};
   EXPECT_FALSE(compareImages(small, large, {}).comparable);

@@ -52,7 +52,8 @@ struct Directions {
   std::vector<float> x, y, z;
 };
 
-Directions latticeDirections(const FibonacciHemisphere& lattice, Vec3d normal, std::uint64_t seed, std::uint64_t index) {
+Directions latticeDirections(const FibonacciHemisphere& lattice, Vec3d normal, std::uint64_t seed,
+                             std::uint64_t index) {
   Directions d{std::vector<float>(lattice.paddedCount()), std::vector<float>(lattice.paddedCount()),
                std::vector<float>(lattice.paddedCount())};
   lattice.directions(normal, seed, index, d.x.data(), d.y.data(), d.z.data());
@@ -75,8 +76,8 @@ TEST(FibonacciHemisphere, DirectionsAreUnitAndAboveTheHorizonForAnyCount) {
   }
 }
 
-// Means of cos^k over the cosine distribution are 2/(k+2); a lattice of n points reaches them far closer than random
-// points would (1/sqrt(n)), and their mean over shifts is unbiased.
+// Means of cos^k over the cosine distribution are 2/(k+2); a lattice of n points reaches them far closer than
+// random points would (1/sqrt(n)), and their mean over shifts is unbiased.
 TEST(FibonacciHemisphere, IntegratesPowersOfTheCosine) {
   const int count = 256;
   const FibonacciHemisphere lattice(count, 16);
@@ -86,7 +87,8 @@ TEST(FibonacciHemisphere, IntegratesPowersOfTheCosine) {
     for (std::uint64_t index = 0; index < 200; ++index) {
       const Directions d = latticeDirections(lattice, normal, 1, index);
       double mean = 0;
-      for (std::size_t i = 0; i < count; ++i) mean += std::pow(dot(Vec3d{d.x[i], d.y[i], d.z[i]}, normal), power);
+      for (std::size_t i = 0; i < count; ++i)
+        mean += std::pow(dot(Vec3d{d.x[i], d.y[i], d.z[i]}, normal), power);
       mean /= count;
       EXPECT_NEAR(mean, 2.0 / (power + 2), 0.01);
       overShifts += mean / 200;

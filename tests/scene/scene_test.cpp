@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "shprt/scene/point_triangle_distance.h"
 #include "shprt/mesh/position_ids.h"
+#include "shprt/scene/point_triangle_distance.h"
 #include "shprt/scene/ray_caster.h"
 #include "shprt/scene/scene_frame.h"
 
@@ -20,7 +20,8 @@ TEST(SceneFrame, IsExactAtAnySizeAndPlace) {
   for (const float size : {1e-30f, 1e-4f, 1.0f, 1e6f, 1e30f})
     for (const float away : {0.0f, -3.0f, 1e5f}) {
       std::vector<Vec3f> positions;
-      for (const Vec3f& p : shape) positions.push_back({p.x * size + away * size, p.y * size - away * size, p.z * size});
+      for (const Vec3f& p : shape)
+        positions.push_back({p.x * size + away * size, p.y * size - away * size, p.z * size});
       const SceneFrame frame = chooseSceneFrame(positions);
       EXPECT_EQ(std::exp2(std::round(std::log2(frame.scale))), frame.scale);
       const std::vector<Vec3f> moved = toScene(frame, positions);
@@ -47,9 +48,11 @@ TEST(PositionIds, AreDistinctByBitsWithOneZero) {
 
 TEST(PositionIds, SurviveManyCollidingKeys) {
   std::vector<Vec3f> positions;
-  for (int i = 0; i < 20000; ++i) positions.push_back({static_cast<float>(i % 100), static_cast<float>(i / 100 % 100), 0});
+  for (int i = 0; i < 20000; ++i)
+    positions.push_back({static_cast<float>(i % 100), static_cast<float>(i / 100 % 100), 0});
   const auto ids = distinctPositionIds(positions);
-  for (int i = 0; i < 20000; ++i) ASSERT_EQ(ids[static_cast<std::size_t>(i)], static_cast<std::uint32_t>(i % 10000));
+  for (int i = 0; i < 20000; ++i)
+    ASSERT_EQ(ids[static_cast<std::size_t>(i)], static_cast<std::uint32_t>(i % 10000));
 }
 
 TEST(PointTriangleDistance, CoversFaceEdgesCornersAndSlivers) {
@@ -61,7 +64,9 @@ TEST(PointTriangleDistance, CoversFaceEdgesCornersAndSlivers) {
   EXPECT_DOUBLE_EQ(pointTriangleDistance({1, 2, 0}, a, b, {2, 0, 0}), 2);
 }
 
-RayPacket packetOf(const std::array<std::vector<float>, 3>& d) { return {d[0].data(), d[1].data(), d[2].data()}; }
+RayPacket packetOf(const std::array<std::vector<float>, 3>& d) {
+  return {d[0].data(), d[1].data(), d[2].data()};
+}
 
 TEST(RayCaster, SeesAQuadInItsLanesOnly) {
   const std::vector<Vec3f> positions = {{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {-1, 1, 2}};
@@ -83,9 +88,11 @@ TEST(RayCaster, SeesAQuadInItsLanesOnly) {
 }
 
 TEST(RayCaster, PassesThroughIgnoredTriangles) {
-  const std::vector<Vec3f> positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}, {-9, -9, 2}, {9, -9, 2}, {0, 9, 2}, {-9, -9, 1}};
+  const std::vector<Vec3f> positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1},  {-9, -9, 2},
+                                        {9, -9, 2},  {0, 9, 2},  {-9, -9, 1}};
   const std::vector<std::uint32_t> ids = distinctPositionIds(positions);
-  const std::array<std::vector<float>, 3> up = {std::vector<float>(16, 0), std::vector<float>(16, 0), std::vector<float>(16, 1)};
+  const std::array<std::vector<float>, 3> up = {std::vector<float>(16, 0), std::vector<float>(16, 0),
+                                                std::vector<float>(16, 1)};
   const RayCaster one(positions, Triangles{{6, 1, 2}}, ids);
   EXPECT_EQ(one.occluded({0, 0, 0}, packetOf(up), 1, {3, {}, 0}), 1u);
   EXPECT_EQ(one.occluded({0, 0, 0}, packetOf(up), 1, {0, {}, 0}), 0u);  // vertex 6 sits where vertex 0 does
@@ -122,7 +129,8 @@ TEST(RayCaster, KnowsWhatEmbreeHolds) {
 }
 
 TEST(RayCaster, FindsTouchingTriangles) {
-  const std::vector<Vec3f> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-3f}, {1, 0, 1e-3f}, {0, 1, 1e-3f}};
+  const std::vector<Vec3f> positions = {{0, 0, 0},     {1, 0, 0},     {0, 1, 0},
+                                        {0, 0, 1e-3f}, {1, 0, 1e-3f}, {0, 1, 1e-3f}};
   const RayCaster caster(positions, Triangles{{0, 1, 2}, {3, 4, 5}});
   EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 1e-6, 99), std::vector<std::uint32_t>{0});
   EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 2e-3, 99), (std::vector<std::uint32_t>{0, 1}));

@@ -10,7 +10,9 @@
 
 namespace shprt::test {
 
-inline bool haveReference() { return std::filesystem::exists(SHPRT_SHARED_DIR "/reference/sh_eval.json"); }
+inline bool haveReference() {
+  return std::filesystem::exists(SHPRT_SHARED_DIR "/reference/sh_eval.json");
+}
 
 inline nlohmann::json readReference(const std::string& name) {
   return nlohmann::json::parse(std::ifstream(SHPRT_SHARED_DIR "/reference/" + name));

@@ -28,9 +28,10 @@ std::vector<double> someCoefficients(int degree) {
 
 std::vector<Mat3> hardRotations() {
   std::vector<Mat3> rotations;
-  for (const char* spec : {"axis:1,2,3,0", "axis:1,0,0,180", "axis:0,1,0,180", "axis:0,0,1,180", "axis:0,0,1,37", "axis:1,1,1,120",
-                           "axis:1,0,0,90", "axis:0,1,0,90", "axis:1,2,0,1e-6", "euler:zyz,20,180,30", "euler:zyz,20,1e-10,30",
-                           "euler:zyz,10,5.7,200", "euler:zyz,10,172,-20", "axis:-1,2,0.5,77"}) {
+  for (const char* spec :
+       {"axis:1,2,3,0", "axis:1,0,0,180", "axis:0,1,0,180", "axis:0,0,1,180", "axis:0,0,1,37",
+        "axis:1,1,1,120", "axis:1,0,0,90", "axis:0,1,0,90", "axis:1,2,0,1e-6", "euler:zyz,20,180,30",
+        "euler:zyz,20,1e-10,30", "euler:zyz,10,5.7,200", "euler:zyz,10,172,-20", "axis:-1,2,0.5,77"}) {
     rotations.push_back(parseRotation(spec));
   }
   return rotations;
@@ -50,10 +51,17 @@ TEST(Rotation, MatricesAgreeWithTheReference) {
         unit[static_cast<std::size_t>(shIndex(l, n))] = 1;
         const std::vector<double> column = rotated(unit, matrix);
         for (int m = -l; m <= l; ++m) {
-          const double expected = entry["D"][static_cast<std::size_t>(l)].is_array() && entry["D"][static_cast<std::size_t>(l)][0].is_array()
-                                      ? entry["D"][static_cast<std::size_t>(l)][static_cast<std::size_t>(m + l)][static_cast<std::size_t>(n + l)].get<double>()
-                                      : entry["D"][static_cast<std::size_t>(l)][static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)].get<double>();
-          ASSERT_NEAR(column[static_cast<std::size_t>(shIndex(l, m))], expected, 4e-15) << entry["name"] << " " << l << " " << m << " " << n;
+          const double expected =
+              entry["D"][static_cast<std::size_t>(l)].is_array() &&
+                      entry["D"][static_cast<std::size_t>(l)][0].is_array()
+                  ? entry["D"][static_cast<std::size_t>(l)][static_cast<std::size_t>(m + l)]
+                         [static_cast<std::size_t>(n + l)]
+                             .get<double>()
+                  : entry["D"][static_cast<std::size_t>(l)]
+                         [static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)]
+                             .get<double>();
+          ASSERT_NEAR(column[static_cast<std::size_t>(shIndex(l, m))], expected, 4e-15)
+              << entry["name"] << " " << l << " " << m << " " << n;
         }
       }
   }
@@ -68,9 +76,11 @@ TEST(Rotation, VectorsToDegree50AgreeWithTheReference) {
       for (std::size_t j = 0; j < 3; ++j) matrix.m[i][j] = entry["matrix"][i][j];
     const int degree = entry["rotated_lmax"];
     std::vector<double> c;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(coefficientCount(degree)); ++i) c.push_back(reference["coefficients"][i]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(coefficientCount(degree)); ++i)
+      c.push_back(reference["coefficients"][i]);
     const std::vector<double> result = rotated(c, matrix);
-    for (std::size_t i = 0; i < result.size(); ++i) ASSERT_NEAR(result[i], entry["rotated"][i].get<double>(), 4e-14) << entry["name"] << " " << i;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      ASSERT_NEAR(result[i], entry["rotated"][i].get<double>(), 4e-14) << entry["name"] << " " << i;
   }
 }
 
@@ -79,7 +89,8 @@ TEST(Rotation, TurnsDirectionsAlong) {
   const int degree = 12;
   std::vector<double> before(static_cast<std::size_t>(coefficientCount(degree))), after(before.size());
   for (const Mat3& rotation : hardRotations())
-    for (const Vec3d direction : {Vec3d{0, 0, 1}, Vec3d{0, 0, -1}, Vec3d{1, 0, 0}, normalize({1, -2, 0.5}), normalize({1e-9, 0, -1})}) {
+    for (const Vec3d direction : {Vec3d{0, 0, 1}, Vec3d{0, 0, -1}, Vec3d{1, 0, 0}, normalize({1, -2, 0.5}),
+                                  normalize({1e-9, 0, -1})}) {
       evaluateSh(degree, direction, before);
       evaluateSh(degree, rotation * direction, after);
       const std::vector<double> result = rotated(before, rotation);
@@ -150,7 +161,8 @@ TEST(ParseRotation, ReadsEveryForm) {
   const double h = std::sqrt(0.5);
   const Mat3 byQuaternion = parseRotation("quat:1,0,1,0");
   const Mat3 twoTurns = parseRotation("euler:zyz,30,40,50");
-  const Mat3 expected = parseRotation("axis:0,0,1,30") * parseRotation("axis:0,1,0,40") * parseRotation("axis:0,0,1,50");
+  const Mat3 expected =
+      parseRotation("axis:0,0,1,30") * parseRotation("axis:0,1,0,40") * parseRotation("axis:0,0,1,50");
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       EXPECT_NEAR(byQuaternion.m[i][j], quarter.m[i][j], 1e-15);
@@ -163,8 +175,9 @@ TEST(ParseRotation, ReadsEveryForm) {
 }
 
 TEST(ParseRotation, RefusesEverythingElseInOneLine) {
-  for (const char* bad : {"", "axis", "axis:", "axis:0,1,0", "axis:0,1,0,90,1", "axis:0,0,0,90", "axis:0,1,0,x", "axis:0,1,0,nan", "axis:0,1,0,90,",
-                          "quat:0,0,0,0", "quat:1,0,0", "euler:xyz,1,2,3", "euler:1,2,3", "matrix:1,2,3", "matrix:1,0,0,0,1,0,0,0,-1",
+  for (const char* bad : {"", "axis", "axis:", "axis:0,1,0", "axis:0,1,0,90,1", "axis:0,0,0,90",
+                          "axis:0,1,0,x", "axis:0,1,0,nan", "axis:0,1,0,90,", "quat:0,0,0,0", "quat:1,0,0",
+                          "euler:xyz,1,2,3", "euler:1,2,3", "matrix:1,2,3", "matrix:1,0,0,0,1,0,0,0,-1",
                           "matrix:2,0,0,0,2,0,0,0,2", "turn:1,2,3", "@/no/such/file", "axis:inf,0,0,1"}) {
     try {
       parseRotation(bad);

@@ -11,8 +11,8 @@
 namespace shprt {
 namespace {
 
-// Compares hidden() with a predicate on many directions of the hemisphere around the vertex normal, leaving out those
-// within 1e-5 of the boundary, where margin() is small.
+// Compares hidden() with a predicate on many directions of the hemisphere around the vertex normal, leaving
+// out those within 1e-5 of the boundary, where margin() is small.
 void expectHidden(const Mesh& mesh, std::uint32_t vertex, std::vector<std::uint32_t> touching,
                   const std::function<double(Vec3d)>& margin) {
   const SurfaceTopology topology(mesh);
@@ -37,11 +37,12 @@ void expectHidden(const Mesh& mesh, std::uint32_t vertex, std::vector<std::uint3
 
 constexpr Vec3d kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
-// A floor [0,1]x[0,1] in the xz plane and a wall [0,1] high along z at x = 0, sharing the positions of their edge.
+// A floor [0,1]x[0,1] in the xz plane and a wall [0,1] high along z at x = 0, sharing the positions of their
+// edge.
 Mesh floorAndWall(double wallX = 0, double wallBottom = 0) {
   Mesh mesh;
-  test::addPatch(mesh, {0, 0, 0}, kZ, kX, 2);                                                  // floor, normal +y
-  test::addPatch(mesh, {wallX, wallBottom, 0}, kY - kY * wallBottom, kZ, 2, 2, kX);            // wall, normal +x
+  test::addPatch(mesh, {0, 0, 0}, kZ, kX, 2);                                        // floor, normal +y
+  test::addPatch(mesh, {wallX, wallBottom, 0}, kY - kY * wallBottom, kZ, 2, 2, kX);  // wall, normal +x
   return mesh;
 }
 
@@ -80,13 +81,16 @@ TEST(LocalHorizon, WallThatOnlyTouchesTheFloorHidesTheSame) {
     // Of the wall, those triangles that hold (0, 0, 0.5): found by the caster in the program, by hand here.
     double lowY = 9, highY = -9, lowZ = 9, highZ = -9;
     for (const std::uint32_t corner : mesh.triangles[t]) {
-      lowY = std::min(lowY, double(mesh.positions[corner].y)), highY = std::max(highY, double(mesh.positions[corner].y));
-      lowZ = std::min(lowZ, double(mesh.positions[corner].z)), highZ = std::max(highZ, double(mesh.positions[corner].z));
+      lowY = std::min(lowY, double(mesh.positions[corner].y)),
+      highY = std::max(highY, double(mesh.positions[corner].y));
+      lowZ = std::min(lowZ, double(mesh.positions[corner].z)),
+      highZ = std::max(highZ, double(mesh.positions[corner].z));
     }
     if (lowY < 0 && highY > 0 && lowZ <= 0.5 && highZ >= 0.5) wall.push_back(t);
   }
   ASSERT_GE(wall.size(), 2u);
-  // Those triangles are half a wall: they touch the point along a vertical edge, and hide all of x < 0 between them.
+  // Those triangles are half a wall: they touch the point along a vertical edge, and hide all of x < 0
+  // between them.
   expectHidden(mesh, 3, wall, [](Vec3d d) { return -d.x; });
 }
 
@@ -96,7 +100,8 @@ TEST(LocalHorizon, LeaningWallHidesWhatLiesBehindIt) {
     Mesh mesh;
     test::addPatch(mesh, {0, 0, 0}, kZ, kX, 2);
     test::addPatch(mesh, {0, 0, 0}, Vec3d{std::cos(a), std::sin(a), 0}, kZ, 2);
-    expectHidden(mesh, 3, {}, [a](Vec3d d) { return std::sin(std::atan2(d.y, d.x) - a) * std::hypot(d.x, d.y); });
+    expectHidden(mesh, 3, {},
+                 [a](Vec3d d) { return std::sin(std::atan2(d.y, d.x) - a) * std::hypot(d.x, d.y); });
   }
 }
 
@@ -113,7 +118,8 @@ TEST(LocalHorizon, ConvexSurfacesHideNothing) {
 }
 
 TEST(LocalHorizon, SmoothGrooveHidesWhatLiesBelowItsWalls) {
-  // A V of two sheets rising at 40 degrees from the line x = 0, open below, with an upright normal at the bottom.
+  // A V of two sheets rising at 40 degrees from the line x = 0, open below, with an upright normal at the
+  // bottom.
   const double a = 40 * std::numbers::pi / 180;
   Mesh mesh;
   test::addPatch(mesh, {0, 0, -1}, kZ * 2.0, Vec3d{std::cos(a), std::sin(a), 0}, 2, 2, kY);

@@ -14,7 +14,8 @@ namespace {
 
 constexpr Vec3d kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
-// Cosine-weighted visible share of each vertex: the first coefficient over that of a surface that sees everything.
+// Cosine-weighted visible share of each vertex: the first coefficient over that of a surface that sees
+// everything.
 double visibleShare(const Bake& bake, std::size_t vertex) {
   return static_cast<double>(bake.transfer.row(0, 0)[vertex]) * std::sqrt(4 * std::numbers::pi);
 }
@@ -31,8 +32,10 @@ TEST(Shadowed, ConvexClosedMeshesAreExactlyUnshadowedAtAnySizeAndPlace) {
   for (const double scale : {1e-4, 1.0, 1e6})
     for (const double away : {0.0, 1e5}) {
       const Vec3d offset = Vec3d{1, -0.5, 0.75} * (away * scale);
-      const std::string where = "scale " + std::to_string(scale) + ", " + std::to_string(away) + " sizes away";
-      expectExactlyUnshadowed(test::moved(test::makeBox({-1, -1, -1}, {2, 2, 2}, 4), scale, offset), "box, " + where);
+      const std::string where =
+          "scale " + std::to_string(scale) + ", " + std::to_string(away) + " sizes away";
+      expectExactlyUnshadowed(test::moved(test::makeBox({-1, -1, -1}, {2, 2, 2}, 4), scale, offset),
+                              "box, " + where);
       for (int subdivisions = 0; subdivisions < 3; ++subdivisions) {
         // So far away a float mesh has steps of 1/128 of its size: a fine sphere is no longer convex there.
         if (away > 0 && subdivisions > 1) continue;
@@ -54,19 +57,21 @@ TEST(Shadowed, ThinThingsAndOpenBordersAreClean) {
 TEST(Shadowed, CoarseSmoothBoxDoesNotShadowItself) {
   // Eight vertices whose normals point along the diagonals: the worst a smooth normal can be off.
   Mesh box = test::makeBox({-1, -1, -1}, {2, 2, 2}, 1);
-  for (std::size_t v = 0; v < box.positions.size(); ++v) box.normals[v] = toFloat(normalize(toDouble(box.positions[v])));
+  for (std::size_t v = 0; v < box.positions.size(); ++v)
+    box.normals[v] = toFloat(normalize(toDouble(box.positions[v])));
   expectExactlyUnshadowed(box, "smooth box");
 }
 
-// A floor point at the foot of a wall, joined to it or only touching it, keeps exactly half of its cosine-weighted sky,
-// and T_lm is the integral over that quarter sphere.
+// A floor point at the foot of a wall, joined to it or only touching it, keeps exactly half of its
+// cosine-weighted sky, and T_lm is the integral over that quarter sphere.
 TEST(Shadowed, FloorAtTheFootOfAWallSeesAQuarterSphere) {
   for (const bool touchingOnly : {false, true}) {
     Mesh corner;
     test::addPatch(corner, {0, 0, -1}, kZ * 2.0, kX, 2);
     test::addPatch(corner, {0, touchingOnly ? -0.7 : 0.0, -1}, kY * 2.0, kZ * 2.0, 2);
     const int degree = 4, rays = 4096;
-    const Bake bake = bakeShadowed(corner, test::grey(corner, 1), {.degree = degree, .rays = rays, .seed = 1});
+    const Bake bake =
+        bakeShadowed(corner, test::grey(corner, 1), {.degree = degree, .rays = rays, .seed = 1});
     const std::size_t vertex = 3;
     ASSERT_EQ(corner.positions[vertex], (Vec3f{0, 0, 0}));
     std::vector<double> expected(static_cast<std::size_t>(coefficientCount(degree))), y(expected.size());
@@ -79,7 +84,8 @@ TEST(Shadowed, FloorAtTheFootOfAWallSeesAQuarterSphere) {
       }
     EXPECT_NEAR(visibleShare(bake, vertex), 0.5, 2e-3);
     for (std::size_t k = 0; k < y.size(); ++k) {
-      EXPECT_NEAR(bake.transfer.row(0, static_cast<int>(k))[vertex], expected[k], 2e-3) << "coefficient " << k;
+      EXPECT_NEAR(bake.transfer.row(0, static_cast<int>(k))[vertex], expected[k], 2e-3)
+          << "coefficient " << k;
     }
   }
 }
@@ -96,8 +102,10 @@ TEST(Shadowed, DiscAboveAPlane) {
   const auto centre = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.push_back({0, static_cast<float>(height), 0});
   for (int k = 0; k < sides; ++k) {
-    mesh.positions.push_back(toFloat({polygonRadius * std::cos(k * step), height, polygonRadius * std::sin(k * step)}));
-    const auto a = centre + 1 + static_cast<std::uint32_t>(k), b = centre + 1 + static_cast<std::uint32_t>((k + 1) % sides);
+    mesh.positions.push_back(
+        toFloat({polygonRadius * std::cos(k * step), height, polygonRadius * std::sin(k * step)}));
+    const auto a = centre + 1 + static_cast<std::uint32_t>(k),
+               b = centre + 1 + static_cast<std::uint32_t>((k + 1) % sides);
     mesh.triangles.push_back({centre, a, b});
   }
   mesh.normals.resize(mesh.positions.size(), {0, -1, 0});
@@ -122,7 +130,9 @@ TEST(Shadowed, DiscAboveAPlane) {
   for (int l = 0; l <= degree; ++l)
     for (int m = -l; m <= l; ++m) {
       const auto k = static_cast<std::size_t>(shIndex(l, m));
-      EXPECT_NEAR(bake.transfer.row(0, shIndex(l, m))[vertex], zonal[static_cast<std::size_t>(l)] * y[k], 2e-3) << l << " " << m;
+      EXPECT_NEAR(bake.transfer.row(0, shIndex(l, m))[vertex], zonal[static_cast<std::size_t>(l)] * y[k],
+                  2e-3)
+          << l << " " << m;
     }
 }
 
@@ -175,19 +185,21 @@ TEST(Shadowed, SeamsDoNotShow) {
       if (corner == 7) corner = static_cast<std::uint32_t>(count);
     }
   const Bake bake = bakeShadowed(mesh, test::grey(mesh, 1), {.degree = 4, .rays = 128, .seed = 1});
-  for (int i = 0; i < bake.transfer.rows(); ++i) EXPECT_EQ(bake.transfer.row(0, i)[7], bake.transfer.row(0, i)[count]);
+  for (int i = 0; i < bake.transfer.rows(); ++i)
+    EXPECT_EQ(bake.transfer.row(0, i)[7], bake.transfer.row(0, i)[count]);
   EXPECT_EQ(bake.statistics.samplePoints, count);
 }
 
 TEST(Shadowed, ReportsProgressToTheEnd) {
   const Mesh mesh = test::makeIcosphere(3);
   std::uint64_t last = 0, total = 0, rays = 0;
-  bakeShadowed(mesh, test::grey(mesh, 1), {.degree = 2, .rays = 16, .seed = 1}, [&](const ProgressReport& report) {
-    EXPECT_GE(report.done, last);
-    last = report.done;
-    total = report.total;
-    rays = report.rays;
-  });
+  bakeShadowed(mesh, test::grey(mesh, 1), {.degree = 2, .rays = 16, .seed = 1},
+               [&](const ProgressReport& report) {
+                 EXPECT_GE(report.done, last);
+                 last = report.done;
+                 total = report.total;
+                 rays = report.rays;
+               });
   EXPECT_EQ(last, mesh.positions.size());
   EXPECT_EQ(total, mesh.positions.size());
   EXPECT_EQ(rays, 16 * mesh.positions.size());

@@ -23,7 +23,8 @@ inline void addPatch(Mesh& mesh, Vec3d origin, Vec3d u, Vec3d v, int cellsU, int
     }
   for (int i = 0; i < cellsU; ++i)
     for (int j = 0; j < cellsV; ++j) {
-      const std::uint32_t a = first + static_cast<std::uint32_t>(i * (cellsV + 1) + j), b = a + static_cast<std::uint32_t>(cellsV + 1);
+      const std::uint32_t a = first + static_cast<std::uint32_t>(i * (cellsV + 1) + j),
+                          b = a + static_cast<std::uint32_t>(cellsV + 1);
       mesh.triangles.push_back({a, b, b + 1});
       mesh.triangles.push_back({a, b + 1, a + 1});
     }
@@ -46,20 +47,25 @@ inline Mesh makeBox(Vec3d low, Vec3d size, int cells, int cellsY) {
   return mesh;
 }
 
-inline Mesh makeBox(Vec3d low, Vec3d size, int cells) { return makeBox(low, size, cells, cells); }
+inline Mesh makeBox(Vec3d low, Vec3d size, int cells) {
+  return makeBox(low, size, cells, cells);
+}
 
 // A sphere of unit radius by subdivision of the icosahedron, with the exact normals of the sphere.
 inline Mesh makeIcosphere(int subdivisions) {
   const double phi = std::numbers::phi;
-  std::vector<Vec3d> points = {{-1, phi, 0}, {1, phi, 0}, {-1, -phi, 0}, {1, -phi, 0}, {0, -1, phi}, {0, 1, phi},
-                               {0, -1, -phi}, {0, 1, -phi}, {phi, 0, -1}, {phi, 0, 1}, {-phi, 0, -1}, {-phi, 0, 1}};
-  std::vector<Triangle> triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                     {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                                     {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  std::vector<Vec3d> points = {{-1, phi, 0}, {1, phi, 0}, {-1, -phi, 0}, {1, -phi, 0},
+                               {0, -1, phi}, {0, 1, phi}, {0, -1, -phi}, {0, 1, -phi},
+                               {phi, 0, -1}, {phi, 0, 1}, {-phi, 0, -1}, {-phi, 0, 1}};
+  std::vector<Triangle> triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                     {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                     {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                     {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (int step = 0; step < subdivisions; ++step) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> midpoints;
     const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [it, fresh] = midpoints.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
+      const auto [it, fresh] =
+          midpoints.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
       if (fresh) points.push_back(normalize(normalize(points[a]) + normalize(points[b])));
       return it->second;
     };

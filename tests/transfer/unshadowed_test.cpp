@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "shprt/sampling/hemisphere.h"
 #include "shprt/base/frame.h"
+#include "shprt/sampling/hemisphere.h"
 #include "shprt/sh/basis.h"
 #include "shprt/transfer/bake.h"
 #include "tests/transfer/test_meshes.h"
@@ -30,7 +30,8 @@ TEST(Unshadowed, EqualsTheCosineWeightedMeanOfTheBasis) {
         for (std::size_t k = 0; k < y.size(); ++k) mean[k] += y[k] / (side * side);
       }
     for (std::size_t k = 0; k < y.size(); ++k) {
-      EXPECT_NEAR(bake.transfer.row(0, static_cast<int>(k))[vertex], 0.5 * mean[k], 2e-4) << "coefficient " << k;
+      EXPECT_NEAR(bake.transfer.row(0, static_cast<int>(k))[vertex], 0.5 * mean[k], 2e-4)
+          << "coefficient " << k;
     }
   }
 }
@@ -39,7 +40,8 @@ TEST(Unshadowed, EqualsTheCosineWeightedMeanOfTheBasis) {
 TEST(Unshadowed, ReturnsTheRadianceOfAConstantLight) {
   const Mesh mesh = test::makeIcosphere(1);
   const Bake bake = bakeUnshadowed(mesh, test::grey(mesh, 1), 3);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) EXPECT_NEAR(bake.transfer.row(0, 0)[v] / kY00, 1, 1e-7);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    EXPECT_NEAR(bake.transfer.row(0, 0)[v] / kY00, 1, 1e-7);
 }
 
 TEST(Unshadowed, OddBandsAboveOneVanishAndColourScalesChannels) {
@@ -50,7 +52,8 @@ TEST(Unshadowed, OddBandsAboveOneVanishAndColourScalesChannels) {
   ASSERT_EQ(bake.transfer.channels, 3);
   for (int m = -3; m <= 3; ++m) EXPECT_EQ(bake.transfer.row(1, shIndex(3, m))[3], 0);
   // y_{1,1} is sqrt(3/4pi) x, and A_1 / pi is 2/3.
-  const double expected = 2.0 / 3 * std::sqrt(3 / (4 * std::numbers::pi)) * static_cast<double>(mesh.normals[3].x);
+  const double expected =
+      2.0 / 3 * std::sqrt(3 / (4 * std::numbers::pi)) * static_cast<double>(mesh.normals[3].x);
   EXPECT_NEAR(bake.transfer.row(0, shIndex(1, 1))[3], 0.25 * expected, 1e-7);
   EXPECT_NEAR(bake.transfer.row(2, shIndex(1, 1))[3], 0.75 * expected, 1e-7);
 }

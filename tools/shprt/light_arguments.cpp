@@ -19,9 +19,8 @@ std::vector<std::string> mendingNotes(const ProbeProjection& projection, bool cl
                     " NaN or infinite: left out, the others stand for their solid angle");
   }
   if (projection.negativePixels > 0) {
-    notes.push_back(
-        countOf(projection.negativePixels, "pixel has", "pixels have") + " negative values, " +
-        (clampNegative ? "taken as 0" : "used as they are; --clamp-negative makes them 0"));
+    notes.push_back(countOf(projection.negativePixels, "pixel has", "pixels have") + " negative values, " +
+                    (clampNegative ? "taken as 0" : "used as they are; --clamp-negative makes them 0"));
   }
   return notes;
 }
@@ -29,9 +28,9 @@ std::vector<std::string> mendingNotes(const ProbeProjection& projection, bool cl
 LoadedLight loadImageLight(const std::string& path, const LightOptions& options) {
   LoadedLight loaded;
   loaded.map = loadEnvironment(path, options.layout);
-  loaded.projection = projectProbe(*loaded.map, {.degree = options.degree,
-                                                .clampNegative = options.clampNegative,
-                                                .strict = options.strict});
+  loaded.projection = projectProbe(
+      *loaded.map,
+      {.degree = options.degree, .clampNegative = options.clampNegative, .strict = options.strict});
   loaded.light = std::move(loaded.projection->light);
   loaded.notes.push_back(std::string("layout ") + layoutName(loaded.map->layout) + ", " +
                          loaded.map->layoutReason);

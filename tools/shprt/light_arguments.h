@@ -18,7 +18,7 @@ struct LightOptions {
   int degree = 4;                           // of lists and images; a light file keeps its own
   std::optional<EnvironmentLayout> layout;  // of images; empty means automatic
   bool clampNegative = false;
-  bool strict = false;                      // refuse bad pixels
+  bool strict = false;  // refuse bad pixels
 };
 
 struct LoadedLight {

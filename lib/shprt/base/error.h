@@ -9,8 +9,9 @@ namespace shprt {
 
 class Error : public std::runtime_error {
  public:
-  // what() reads "where: problem; remedy". where is a file or an option; problem names the field, line or value at
-  // fault; remedy (may be empty) says what the user can do. Control characters are replaced, so the line stays one.
+  // what() reads "where: problem; remedy". where is a file or an option; problem names the field, line or
+  // value at fault; remedy (may be empty) says what the user can do. Control characters are replaced, so the
+  // line stays one.
   Error(const std::string& where, const std::string& problem, const std::string& remedy = "");
 };
 

@@ -23,7 +23,9 @@ struct FileCloser {
 };
 using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
 
-std::string systemMessage() { return std::strerror(errno); }
+std::string systemMessage() {
+  return std::strerror(errno);
+}
 
 }  // namespace
 
@@ -40,7 +42,8 @@ std::string readFile(const fs::path& path, std::uint64_t maximumBytes) {
   if (fs::is_regular_file(status)) {
     const std::uint64_t size = fs::file_size(path, ignored);
     if (!ignored && size > maximumBytes) {
-      throw Error(path.string(), "has " + std::to_string(size) + " bytes, more than this kind of file may have");
+      throw Error(path.string(),
+                  "has " + std::to_string(size) + " bytes, more than this kind of file may have");
     }
     if (!ignored) bytes.reserve(size);
   }
@@ -84,7 +87,8 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target) {
   if (!fs::is_directory(folder, error)) {
     throw Error(target.string(), "the folder " + folder.string() + " does not exist", "create it first");
   }
-  // A unique name beside the target; created here, so that an unwritable folder is found before the work is done.
+  // A unique name beside the target; created here, so that an unwritable folder is found before the work is
+  // done.
   static int counter = 0;
   temporary_ = folder / ("." + target_.stem().string() + "." + std::to_string(::getpid()) + "-" +
                          std::to_string(counter++) + target_.extension().string());

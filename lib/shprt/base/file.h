@@ -8,15 +8,16 @@
 
 namespace shprt {
 
-// The whole content of a file. Throws Error when it is missing, a directory, unreadable, or larger than maximumBytes.
+// The whole content of a file. Throws Error when it is missing, a directory, unreadable, or larger than
+// maximumBytes.
 std::string readFile(const std::filesystem::path& path, std::uint64_t maximumBytes = std::uint64_t{1} << 40);
 
 // SHA-256 of bytes in lower-case hexadecimal, as `sha256sum` prints it.
 std::string sha256(std::string_view bytes);
 
-// An output file that appears under its name only when complete: write to path(), then commit(). Without commit() the
-// destructor removes what was written, and an older file of that name stays as it was. A target that exists and is no
-// regular file (/dev/stdout, a pipe) is written directly.
+// An output file that appears under its name only when complete: write to path(), then commit(). Without
+// commit() the destructor removes what was written, and an older file of that name stays as it was. A target
+// that exists and is no regular file (/dev/stdout, a pipe) is written directly.
 class AtomicFile {
  public:
   // Throws Error when the folder is missing or cannot be written, or when the target is a directory.

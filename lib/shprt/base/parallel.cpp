@@ -22,7 +22,8 @@ std::unique_ptr<tbb::global_control>& control() {
 }  // namespace
 
 void setThreadCount(int threads) {
-  if (threads < 0) throw Error("--threads", std::to_string(threads) + " is negative", "give 0 for one per core");
+  if (threads < 0)
+    throw Error("--threads", std::to_string(threads) + " is negative", "give 0 for one per core");
   control().reset();
   if (threads > 0) {
     control() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,

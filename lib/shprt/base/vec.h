@@ -46,7 +46,8 @@ T length(Vec3<T> a) {
   return std::sqrt(dot(a, a));
 }
 
-// The unit vector along a, or zero when a is zero. Vectors near the ends of the exponent range are scaled first.
+// The unit vector along a, or zero when a is zero. Vectors near the ends of the exponent range are scaled
+// first.
 inline Vec3d normalize(Vec3d a) {
   const double largest = std::fmax(std::fmax(std::fabs(a.x), std::fabs(a.y)), std::fabs(a.z));
   if (!(largest > 0)) return {};
@@ -54,12 +55,18 @@ inline Vec3d normalize(Vec3d a) {
   return a / length(a);
 }
 
-constexpr Vec3d toDouble(Vec3f a) { return {a.x, a.y, a.z}; }
+constexpr Vec3d toDouble(Vec3f a) {
+  return {a.x, a.y, a.z};
+}
 constexpr Vec3f toFloat(Vec3d a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
-inline bool isFinite(Vec3f a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
-inline bool isFinite(Vec3d a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+inline bool isFinite(Vec3f a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+inline bool isFinite(Vec3d a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 // Row-major 3x3 matrix that acts on column vectors.
 struct Mat3 {

@@ -1,4 +1,5 @@
-// Names and attributes of the asset file, shared by its writer and reader. docs/file-formats.md is the specification.
+// Names and attributes of the asset file, shared by its writer and reader. docs/file-formats.md is the
+// specification.
 #pragma once
 
 namespace shprt::asset_layout {
@@ -22,6 +23,7 @@ inline constexpr const char* kRaysAttribute = "shprtRays";
 inline constexpr const char* kMetadataAttribute = "shprtMetadata";
 
 inline constexpr const char* kConvention =
-    "real orthonormal SH, index l(l+1)+m, no Condon-Shortley phase; right-handed, +Y up; linear Rec.709; albedo/pi folded in";
+    "real orthonormal SH, index l(l+1)+m, no Condon-Shortley phase; right-handed, +Y up; linear Rec.709; "
+    "albedo/pi folded in";
 
 }  // namespace shprt::asset_layout

@@ -24,7 +24,8 @@ void ExrOutput::fail() {
 
 void ExrOutput::write(const char bytes[], int count) {
   errno = 0;
-  if (std::fwrite(bytes, 1, static_cast<std::size_t>(count), file_) != static_cast<std::size_t>(count)) fail();
+  if (std::fwrite(bytes, 1, static_cast<std::size_t>(count), file_) != static_cast<std::size_t>(count))
+    fail();
 }
 
 std::uint64_t ExrOutput::tellp() {

@@ -1,4 +1,5 @@
-// A file that OpenEXR writes to without hiding failures: its own streams swallow what goes wrong while closing.
+// A file that OpenEXR writes to without hiding failures: its own streams swallow what goes wrong while
+// closing.
 #pragma once
 
 #include <OpenEXR/ImfIO.h>

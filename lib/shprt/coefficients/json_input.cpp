@@ -18,12 +18,15 @@ nlohmann::json readJsonObject(const std::filesystem::path& path) {
     const std::size_t at = std::min<std::size_t>(error.byte > 0 ? error.byte - 1 : 0, bytes.size());
     const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
     const std::size_t lineStart = at == 0 ? 0 : bytes.rfind('\n', at - 1) + 1;  // npos + 1 is 0
-    throw Error(path.string(), "is not valid JSON at line " + std::to_string(line) + ", column " + std::to_string(at - lineStart + 1),
+    throw Error(path.string(),
+                "is not valid JSON at line " + std::to_string(line) + ", column " +
+                    std::to_string(at - lineStart + 1),
                 "mend the syntax there");
   } catch (const nlohmann::json::exception&) {
     throw Error(path.string(), "is JSON with a number beyond the range of double", "mend that number");
   }
-  if (!value.is_object()) throw Error(path.string(), "holds no JSON object", "give a file that begins with '{'");
+  if (!value.is_object())
+    throw Error(path.string(), "holds no JSON object", "give a file that begins with '{'");
   return value;
 }
 
@@ -33,7 +36,9 @@ JsonObject::JsonObject(std::string file, std::string place, const nlohmann::json
 }
 
 void JsonObject::fail(std::string_view field, const std::string& problem, const std::string& remedy) const {
-  const std::string name = place_.empty() ? std::string(field) : field.empty() ? place_ : place_ + "." + std::string(field);
+  const std::string name = place_.empty()  ? std::string(field)
+                           : field.empty() ? place_
+                                           : place_ + "." + std::string(field);
   throw Error(file_, name + " " + problem, remedy);
 }
 
@@ -66,7 +71,8 @@ std::array<double, 3> JsonObject::triple(std::string_view name) const {
   if (!value.is_array() || value.size() != 3) fail(name, "does not have three numbers", "write [a, b, c]");
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!value[i].is_number() || !std::isfinite(value[i].get<double>())) fail(name, "has an entry that is no finite number");
+    if (!value[i].is_number() || !std::isfinite(value[i].get<double>()))
+      fail(name, "has an entry that is no finite number");
     numbers[i] = value[i].get<double>();
   }
   return numbers;

@@ -1,5 +1,5 @@
-// Reading JSON with complaints a user can act on: file, place, and what to do. Internal to the library: the one header
-// that names a type of nlohmann-json, for the rooms that read JSON files.
+// Reading JSON with complaints a user can act on: file, place, and what to do. Internal to the library: the
+// one header that names a type of nlohmann-json, for the rooms that read JSON files.
 #pragma once
 
 #include <array>
@@ -31,7 +31,8 @@ class JsonObject {
 
   // Throws Error when the object has any other field.
   void allowOnly(std::initializer_list<std::string_view> fields) const;
-  [[noreturn]] void fail(std::string_view field, const std::string& problem, const std::string& remedy = "") const;
+  [[noreturn]] void fail(std::string_view field, const std::string& problem,
+                         const std::string& remedy = "") const;
 
  private:
   std::string file_, place_;

@@ -1,5 +1,5 @@
-// Reading the asset: everything a header claims is checked against the file's size before memory is taken for it, and all
-// parts against each other.
+// Reading the asset: everything a header claims is checked against the file's size before memory is taken for
+// it, and all parts against each other.
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -26,8 +26,12 @@ namespace {
 
 using namespace asset_layout;
 
-int width(const Imf::Header& header) { return header.dataWindow().max.x - header.dataWindow().min.x + 1; }
-int height(const Imf::Header& header) { return header.dataWindow().max.y - header.dataWindow().min.y + 1; }
+int width(const Imf::Header& header) {
+  return header.dataWindow().max.x - header.dataWindow().min.x + 1;
+}
+int height(const Imf::Header& header) {
+  return header.dataWindow().max.y - header.dataWindow().min.y + 1;
+}
 
 std::string channelNames(const Imf::Header& header) {
   std::string names;
@@ -55,15 +59,18 @@ std::unique_ptr<Imf::MultiPartInputFile> openExr(const std::filesystem::path& pa
 
 bool isAsset(const Imf::MultiPartInputFile& file) {
   const Imf::Header& header = file.header(0);
-  return header.hasName() && header.name() == kTransfer && header.findTypedAttribute<Imf::IntAttribute>(kVersionAttribute);
+  return header.hasName() && header.name() == kTransfer &&
+         header.findTypedAttribute<Imf::IntAttribute>(kVersionAttribute);
 }
 
 class AssetReader {
  public:
-  explicit AssetReader(const std::filesystem::path& path) : path_(path), file_(openExr(path)), bytes_(std::filesystem::file_size(path)) {}
+  explicit AssetReader(const std::filesystem::path& path)
+      : path_(path), file_(openExr(path)), bytes_(std::filesystem::file_size(path)) {}
 
   TransferAsset read() {
-    if (!isAsset(*file_)) throw Error(path_.string(), "is an OpenEXR picture, not an asset", "give an asset made by shprt bake");
+    if (!isAsset(*file_))
+      throw Error(path_.string(), "is an OpenEXR picture, not an asset", "give an asset made by shprt bake");
     readMetadata();
     const auto vertices = asset_.transfer.vertexCount;
     asset_.positions.resize(checkRow(kPositions, "X,Y,Z", Imf::FLOAT, 12, vertices));
@@ -84,7 +91,8 @@ class AssetReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem, const std::string& remedy = "the file is damaged; bake it again") const {
+  [[noreturn]] void fail(const std::string& problem,
+                         const std::string& remedy = "the file is damaged; bake it again") const {
     throw Error(path_.string(), problem, remedy);
   }
 
@@ -104,53 +112,71 @@ class AssetReader {
   // No compression of OpenEXR makes more than this of one byte.
   void checkSize(const char* name, std::uint64_t claimed) const {
     constexpr std::uint64_t kMostExpansion = 2048;
-    if (claimed / kMostExpansion > bytes_) fail(std::string("part ") + name + " claims more data than " + std::to_string(bytes_) + " bytes can hold");
+    if (claimed / kMostExpansion > bytes_)
+      fail(std::string("part ") + name + " claims more data than " + std::to_string(bytes_) +
+           " bytes can hold");
   }
 
   void readMetadata() {
     const Imf::Header& header = file_->header(0);
     const int version = header.typedAttribute<Imf::IntAttribute>(kVersionAttribute).value();
     if (version != kFormatVersion) {
-      fail("has format version " + std::to_string(version) + "; this shprt reads version " + std::to_string(kFormatVersion),
+      fail("has format version " + std::to_string(version) + "; this shprt reads version " +
+               std::to_string(kFormatVersion),
            version > kFormatVersion ? "use a newer shprt" : "bake it again");
     }
     const auto* degree = header.findTypedAttribute<Imf::IntAttribute>(kDegreeAttribute);
     const auto* convention = header.findTypedAttribute<Imf::StringAttribute>(kConventionAttribute);
     const auto* metadata = header.findTypedAttribute<Imf::StringAttribute>(kMetadataAttribute);
-    if (!degree || !convention || !metadata) fail("part transfer lacks an attribute (shprtDegree, shprtConvention or shprtMetadata)");
-    if (convention->value() != kConvention) fail("attribute shprtConvention names another convention", "bake it again with this shprt");
+    if (!degree || !convention || !metadata)
+      fail("part transfer lacks an attribute (shprtDegree, shprtConvention or shprtMetadata)");
+    if (convention->value() != kConvention)
+      fail("attribute shprtConvention names another convention", "bake it again with this shprt");
     ParsedMetadata parsed = parseMetadata(path_, metadata->value());
     TransferCoefficients& transfer = asset_.transfer;
     transfer.degree = degree->value();
-    if (transfer.degree < 0 || transfer.degree > kMaximumBakeDegree) fail("attribute shprtDegree is " + std::to_string(transfer.degree) + ", outside 0 to 32");
+    if (transfer.degree < 0 || transfer.degree > kMaximumBakeDegree)
+      fail("attribute shprtDegree is " + std::to_string(transfer.degree) + ", outside 0 to 32");
     const std::string channels = channelNames(header);
-    if (channels != "Y" && channels != "B,G,R") fail("part transfer has the channels " + channels.substr(0, 40) + " instead of Y or R,G,B");
+    if (channels != "Y" && channels != "B,G,R")
+      fail("part transfer has the channels " + channels.substr(0, 40) + " instead of Y or R,G,B");
     transfer.channels = channels == "Y" ? 1 : 3;
     transfer.vertexCount = static_cast<std::size_t>(width(header));
-    if (parsed.degree != transfer.degree || parsed.channels != transfer.channels || parsed.metadata.formatVersion != version) {
+    if (parsed.degree != transfer.degree || parsed.channels != transfer.channels ||
+        parsed.metadata.formatVersion != version) {
       fail("attribute shprtMetadata disagrees with the file's degree, channels or version");
     }
     if (height(header) != transfer.rows()) {
-      fail("part transfer has " + std::to_string(height(header)) + " rows where degree " + std::to_string(transfer.degree) + " needs " + std::to_string(transfer.rows()));
+      fail("part transfer has " + std::to_string(height(header)) + " rows where degree " +
+           std::to_string(transfer.degree) + " needs " + std::to_string(transfer.rows()));
     }
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-      if (channel.channel().type == Imf::UINT || channel.channel().xSampling != 1 || channel.channel().ySampling != 1) fail("part transfer holds no float or half values");
+      if (channel.channel().type == Imf::UINT || channel.channel().xSampling != 1 ||
+          channel.channel().ySampling != 1)
+        fail("part transfer holds no float or half values");
     }
     if (!header.hasTileDescription()) fail("part transfer is not tiled");
-    checkSize(kTransfer, std::uint64_t{2} * static_cast<std::uint64_t>(transfer.rows() * transfer.channels) * transfer.vertexCount);
+    checkSize(kTransfer, std::uint64_t{2} * static_cast<std::uint64_t>(transfer.rows() * transfer.channels) *
+                             transfer.vertexCount);
     asset_.metadata = std::move(parsed.metadata);
   }
 
   // The width of a one-row part, after all checks. expected 0: any.
-  std::size_t checkRow(const char* name, const char* channels, Imf::PixelType type, std::size_t bytesPerPixel, std::size_t expected) const {
+  std::size_t checkRow(const char* name, const char* channels, Imf::PixelType type, std::size_t bytesPerPixel,
+                       std::size_t expected) const {
     const Imf::Header& header = file_->header(require(name));
     const auto count = static_cast<std::size_t>(width(header));
-    if (channelNames(header) != channels) fail(std::string("part ") + name + " has the channels " + channelNames(header).substr(0, 40) + " instead of " + channels);
+    if (channelNames(header) != channels)
+      fail(std::string("part ") + name + " has the channels " + channelNames(header).substr(0, 40) +
+           " instead of " + channels);
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-      if (channel.channel().type != type || channel.channel().xSampling != 1 || channel.channel().ySampling != 1) fail(std::string("part ") + name + " has values of another type");
+      if (channel.channel().type != type || channel.channel().xSampling != 1 ||
+          channel.channel().ySampling != 1)
+        fail(std::string("part ") + name + " has values of another type");
     }
     if (height(header) != 1 || (expected && count != expected)) {
-      fail(std::string("part ") + name + " is " + std::to_string(count) + " x " + std::to_string(height(header)) + (expected ? ", not " + std::to_string(expected) + " x 1" : ""));
+      fail(std::string("part ") + name + " is " + std::to_string(count) + " x " +
+           std::to_string(height(header)) + (expected ? ", not " + std::to_string(expected) + " x 1" : ""));
     }
     checkSize(name, count * bytesPerPixel);
     return count;
@@ -165,7 +191,8 @@ class AssetReader {
     }
   }
 
-  void readRow(const char* name, std::initializer_list<const char*> channels, Imf::PixelType type, void* values, std::size_t stride) const {
+  void readRow(const char* name, std::initializer_list<const char*> channels, Imf::PixelType type,
+               void* values, std::size_t stride) const {
     const int index = require(name);
     guarded(name, [&] {
       const Imath::Box2i& window = file_->header(index).dataWindow();
@@ -184,13 +211,20 @@ class AssetReader {
   void readTransfer() {
     TransferCoefficients& transfer = asset_.transfer;
     guarded(kTransfer, [&] {
-      transfer.values.resize(static_cast<std::size_t>(transfer.channels * transfer.rows()) * transfer.vertexCount);
+      transfer.values.resize(static_cast<std::size_t>(transfer.channels * transfer.rows()) *
+                             transfer.vertexCount);
       const Imath::Box2i& window = file_->header(0).dataWindow();
       Imf::FrameBuffer frame;
       for (int channel = 0; channel < transfer.channels; ++channel) {
-        float* origin = transfer.row(channel, 0) - window.min.x - static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(transfer.vertexCount);
-        frame.insert(transfer.channels == 1 ? "Y" : channel == 0 ? "R" : channel == 1 ? "G" : "B",
-                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(origin), sizeof(float), transfer.vertexCount * sizeof(float)));
+        float* origin =
+            transfer.row(channel, 0) - window.min.x -
+            static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(transfer.vertexCount);
+        frame.insert(transfer.channels == 1 ? "Y"
+                     : channel == 0         ? "R"
+                     : channel == 1         ? "G"
+                                            : "B",
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(origin), sizeof(float),
+                                transfer.vertexCount * sizeof(float)));
       }
       Imf::TiledInputPart part(*file_, 0);
       part.setFrameBuffer(frame);
@@ -200,15 +234,21 @@ class AssetReader {
 
   void checkValues() const {
     const TransferCoefficients& transfer = asset_.transfer;
-    const auto badValue = std::find_if(transfer.values.begin(), transfer.values.end(), [](float value) { return !std::isfinite(value); });
+    const auto badValue = std::find_if(transfer.values.begin(), transfer.values.end(),
+                                       [](float value) { return !std::isfinite(value); });
     if (badValue != transfer.values.end()) {
       const auto index = static_cast<std::size_t>(badValue - transfer.values.begin());
-      fail("part transfer holds a value that is not finite at vertex " + std::to_string(index % transfer.vertexCount));
+      fail("part transfer holds a value that is not finite at vertex " +
+           std::to_string(index % transfer.vertexCount));
     }
-    const auto allFinite = [](const std::vector<Vec3f>& vectors) { return std::all_of(vectors.begin(), vectors.end(), [](const Vec3f& v) { return isFinite(v); }); };
-    if (!allFinite(asset_.positions) || !allFinite(asset_.normals) || !allFinite(asset_.albedo)) fail("a position, normal or albedo is not finite");
+    const auto allFinite = [](const std::vector<Vec3f>& vectors) {
+      return std::all_of(vectors.begin(), vectors.end(), [](const Vec3f& v) { return isFinite(v); });
+    };
+    if (!allFinite(asset_.positions) || !allFinite(asset_.normals) || !allFinite(asset_.albedo))
+      fail("a position, normal or albedo is not finite");
     for (const auto& triangle : asset_.triangles) {
-      if (std::max({triangle[0], triangle[1], triangle[2]}) >= transfer.vertexCount) fail("part triangles names a vertex that does not exist");
+      if (std::max({triangle[0], triangle[1], triangle[2]}) >= transfer.vertexCount)
+        fail("part triangles names a vertex that does not exist");
     }
   }
 
@@ -220,11 +260,16 @@ class AssetReader {
 
 const char* compressionName(Imf::Compression compression) {
   switch (compression) {
-    case Imf::NO_COMPRESSION: return "none";
-    case Imf::ZIP_COMPRESSION: return "zip";
-    case Imf::ZIPS_COMPRESSION: return "zips";
-    case Imf::PIZ_COMPRESSION: return "piz";
-    default: return "other";
+    case Imf::NO_COMPRESSION:
+      return "none";
+    case Imf::ZIP_COMPRESSION:
+      return "zip";
+    case Imf::ZIPS_COMPRESSION:
+      return "zips";
+    case Imf::PIZ_COMPRESSION:
+      return "piz";
+    default:
+      return "other";
   }
 }
 
@@ -247,15 +292,21 @@ bool isAssetFile(const std::filesystem::path& path) {
   }
 }
 
-TransferAsset readAsset(const std::filesystem::path& path) { return AssetReader(path).read(); }
+TransferAsset readAsset(const std::filesystem::path& path) {
+  return AssetReader(path).read();
+}
 
 std::vector<AssetPart> listAssetParts(const std::filesystem::path& path) {
   const auto file = openExr(path);
   std::vector<AssetPart> parts;
   for (int i = 0; i < file->parts(); ++i) {
     const Imf::Header& header = file->header(i);
-    parts.push_back({header.hasName() ? header.name() : "", header.hasTileDescription() ? "tiles of " + std::to_string(header.tileDescription().xSize) : "scan lines",
-                     typeName(header), compressionName(header.compression()), channelNames(header), width(header), height(header)});
+    parts.push_back({header.hasName() ? header.name() : "",
+                     header.hasTileDescription()
+                         ? "tiles of " + std::to_string(header.tileDescription().xSize)
+                         : "scan lines",
+                     typeName(header), compressionName(header.compression()), channelNames(header),
+                     width(header), height(header)});
   }
   return parts;
 }

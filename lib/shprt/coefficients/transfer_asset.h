@@ -14,18 +14,20 @@
 
 namespace shprt {
 
-// Transfer coefficients of all vertices. values is laid out [channel][coefficient][vertex]: each row is one coefficient
-// over all vertices, as in the file, and as relighting streams it. Outgoing radiance of vertex v under light c is
-// sum_i values(channel, i, v) * c_i; albedo/pi is folded in.
+// Transfer coefficients of all vertices. values is laid out [channel][coefficient][vertex]: each row is one
+// coefficient over all vertices, as in the file, and as relighting streams it. Outgoing radiance of vertex v
+// under light c is sum_i values(channel, i, v) * c_i; albedo/pi is folded in.
 struct TransferCoefficients {
   int degree = 0;
-  int channels = 1;              // 1 where the three colour channels agree, else 3
+  int channels = 1;  // 1 where the three colour channels agree, else 3
   std::size_t vertexCount = 0;
   std::vector<float> values;
 
   int rows() const { return coefficientCount(degree); }
   const float* row(int channel, int coefficient) const {
-    return values.data() + (static_cast<std::size_t>(channel) * static_cast<std::size_t>(rows()) + static_cast<std::size_t>(coefficient)) * vertexCount;
+    return values.data() + (static_cast<std::size_t>(channel) * static_cast<std::size_t>(rows()) +
+                            static_cast<std::size_t>(coefficient)) *
+                               vertexCount;
   }
   float* row(int channel, int coefficient) {
     return const_cast<float*>(std::as_const(*this).row(channel, coefficient));
@@ -41,11 +43,11 @@ struct SourceFile {
 struct AssetMetadata {
   int formatVersion = 1;
   std::string toolVersion;
-  std::string model;                        // "unshadowed", "shadowed"
-  int rays = 0;                             // per vertex; 0 where none were traced
+  std::string model;  // "unshadowed", "shadowed"
+  int rays = 0;       // per vertex; 0 where none were traced
   std::uint64_t seed = 0;
   std::vector<SourceFile> sources;
-  std::map<std::string, double> seconds;    // spent: "load", "build", "trace", ...
+  std::map<std::string, double> seconds;        // spent: "load", "build", "trace", ...
   std::map<std::string, std::uint64_t> counts;  // what the loader found, left out and mended; rays traced
   std::vector<std::string> notes;
 };
@@ -53,10 +55,10 @@ struct AssetMetadata {
 // A self-contained asset: mesh and transfer.
 struct TransferAsset {
   TransferCoefficients transfer;
-  std::vector<Vec3f> positions;            // per vertex, in the source's units
+  std::vector<Vec3f> positions;  // per vertex, in the source's units
   std::vector<Vec3f> normals;
-  std::vector<Vec3f> albedo;               // linear Rec.709, as folded into transfer
-  std::vector<Vec2f> textureCoordinates;   // or empty
+  std::vector<Vec3f> albedo;              // linear Rec.709, as folded into transfer
+  std::vector<Vec2f> textureCoordinates;  // or empty
   std::vector<std::array<std::uint32_t, 3>> triangles;
   AssetMetadata metadata;
 };

@@ -1,4 +1,5 @@
-// The asset as multi-part OpenEXR: transfer in tiles that hold all coefficients of a block of vertices, geometry in single rows.
+// The asset as multi-part OpenEXR: transfer in tiles that hold all coefficients of a block of vertices,
+// geometry in single rows.
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -30,10 +31,14 @@ using namespace asset_layout;
 
 Imf::Compression compressionOf(AssetCompression compression) {
   switch (compression) {
-    case AssetCompression::kZip: return Imf::ZIP_COMPRESSION;
-    case AssetCompression::kZips: return Imf::ZIPS_COMPRESSION;
-    case AssetCompression::kPiz: return Imf::PIZ_COMPRESSION;
-    case AssetCompression::kNone: break;
+    case AssetCompression::kZip:
+      return Imf::ZIP_COMPRESSION;
+    case AssetCompression::kZips:
+      return Imf::ZIPS_COMPRESSION;
+    case AssetCompression::kPiz:
+      return Imf::PIZ_COMPRESSION;
+    case AssetCompression::kNone:
+      break;
   }
   return Imf::NO_COMPRESSION;
 }
@@ -62,7 +67,8 @@ class AssetWriter {
       writeRow(file, part++, {"X", "Y", "Z"}, &asset_.positions[0].x, 3);
       writeRow(file, part++, {"X", "Y", "Z"}, &asset_.normals[0].x, 3);
       writeRow(file, part++, {"R", "G", "B"}, &asset_.albedo[0].x, 3);
-      if (!asset_.textureCoordinates.empty()) writeRow(file, part++, {"U", "V"}, &asset_.textureCoordinates[0].x, 2);
+      if (!asset_.textureCoordinates.empty())
+        writeRow(file, part++, {"U", "V"}, &asset_.textureCoordinates[0].x, 2);
       writeTriangles(file, part);
     } catch (const Error&) {
       throw;
@@ -75,9 +81,12 @@ class AssetWriter {
  private:
   void check() const {
     const std::size_t count = asset_.transfer.vertexCount;
-    if (count == 0 || asset_.triangles.empty()) throw Error(name_.string(), "the asset has no vertices or no triangles");
+    if (count == 0 || asset_.triangles.empty())
+      throw Error(name_.string(), "the asset has no vertices or no triangles");
     if (count > 0x7fffffff || asset_.triangles.size() > 0x7fffffff) {
-      throw Error(name_.string(), "the asset has more vertices or triangles than an OpenEXR image can be wide", "split the mesh");
+      throw Error(name_.string(),
+                  "the asset has more vertices or triangles than an OpenEXR image can be wide",
+                  "split the mesh");
     }
     if (asset_.positions.size() != count || asset_.normals.size() != count || asset_.albedo.size() != count ||
         (!asset_.textureCoordinates.empty() && asset_.textureCoordinates.size() != count)) {
@@ -91,15 +100,21 @@ class AssetWriter {
       half_[i] = Imath::half(asset_.transfer.values[i]);
       if (!half_[i].isInfinity() && !half_[i].isNan()) continue;
       const std::size_t vertex = i % asset_.transfer.vertexCount;
-      const std::size_t coefficient = i / asset_.transfer.vertexCount % static_cast<std::size_t>(asset_.transfer.rows());
-      throw Error(name_.string(), "coefficient " + std::to_string(coefficient) + " of vertex " + std::to_string(vertex) + " is " +
-                                      std::to_string(asset_.transfer.values[i]) + ", beyond half", "leave out --half");
+      const std::size_t coefficient =
+          i / asset_.transfer.vertexCount % static_cast<std::size_t>(asset_.transfer.rows());
+      throw Error(name_.string(),
+                  "coefficient " + std::to_string(coefficient) + " of vertex " + std::to_string(vertex) +
+                      " is " + std::to_string(asset_.transfer.values[i]) + ", beyond half",
+                  "leave out --half");
     }
   }
 
-  static Imath::Box2i window(std::size_t width, int height) { return {{0, 0}, {static_cast<int>(width) - 1, height - 1}}; }
+  static Imath::Box2i window(std::size_t width, int height) {
+    return {{0, 0}, {static_cast<int>(width) - 1, height - 1}};
+  }
 
-  Imf::Header makeHeader(const char* name, std::size_t width, int height, std::initializer_list<const char*> channels, Imf::PixelType type) const {
+  Imf::Header makeHeader(const char* name, std::size_t width, int height,
+                         std::initializer_list<const char*> channels, Imf::PixelType type) const {
     // All parts must state the same display window, whatever data they hold.
     Imf::Header header(window(asset_.transfer.vertexCount, asset_.transfer.rows()), window(width, height));
     header.setName(name);
@@ -113,11 +128,15 @@ class AssetWriter {
     const TransferCoefficients& transfer = asset_.transfer;
     const Imf::PixelType type = options_.half ? Imf::HALF : Imf::FLOAT;
     std::vector<Imf::Header> headers;
-    headers.push_back(transfer.channels == 1 ? makeHeader(kTransfer, transfer.vertexCount, transfer.rows(), {"Y"}, type)
-                                             : makeHeader(kTransfer, transfer.vertexCount, transfer.rows(), {"R", "G", "B"}, type));
+    headers.push_back(
+        transfer.channels == 1
+            ? makeHeader(kTransfer, transfer.vertexCount, transfer.rows(), {"Y"}, type)
+            : makeHeader(kTransfer, transfer.vertexCount, transfer.rows(), {"R", "G", "B"}, type));
     Imf::Header& header = headers.back();
     header.setType(Imf::TILEDIMAGE);
-    header.setTileDescription(Imf::TileDescription(static_cast<unsigned>(tileWidth(transfer, options_.half ? 2 : 4)), static_cast<unsigned>(transfer.rows())));
+    header.setTileDescription(
+        Imf::TileDescription(static_cast<unsigned>(tileWidth(transfer, options_.half ? 2 : 4)),
+                             static_cast<unsigned>(transfer.rows())));
     header.insert(kVersionAttribute, Imf::IntAttribute(kFormatVersion));
     header.insert(kDegreeAttribute, Imf::IntAttribute(transfer.degree));
     header.insert(kConventionAttribute, Imf::StringAttribute(kConvention));
@@ -127,7 +146,8 @@ class AssetWriter {
     headers.push_back(makeHeader(kPositions, transfer.vertexCount, 1, {"X", "Y", "Z"}, Imf::FLOAT));
     headers.push_back(makeHeader(kNormals, transfer.vertexCount, 1, {"X", "Y", "Z"}, Imf::FLOAT));
     headers.push_back(makeHeader(kAlbedo, transfer.vertexCount, 1, {"R", "G", "B"}, Imf::FLOAT));
-    if (!asset_.textureCoordinates.empty()) headers.push_back(makeHeader(kTextureCoordinates, transfer.vertexCount, 1, {"U", "V"}, Imf::FLOAT));
+    if (!asset_.textureCoordinates.empty())
+      headers.push_back(makeHeader(kTextureCoordinates, transfer.vertexCount, 1, {"U", "V"}, Imf::FLOAT));
     headers.push_back(makeHeader(kTriangles, asset_.triangles.size(), 1, {"A", "B", "C"}, Imf::UINT));
     return headers;
   }
@@ -135,23 +155,32 @@ class AssetWriter {
   void writeTransfer(Imf::MultiPartOutputFile& file) {
     const TransferCoefficients& transfer = asset_.transfer;
     const std::size_t size = options_.half ? 2 : 4;
-    const char* base = options_.half ? reinterpret_cast<const char*>(half_.data()) : reinterpret_cast<const char*>(transfer.values.data());
+    const char* base = options_.half ? reinterpret_cast<const char*>(half_.data())
+                                     : reinterpret_cast<const char*>(transfer.values.data());
     Imf::FrameBuffer frame;
     for (int channel = 0; channel < transfer.channels; ++channel) {
-      const std::size_t offset = static_cast<std::size_t>(channel) * static_cast<std::size_t>(transfer.rows()) * transfer.vertexCount;
-      frame.insert(transfer.channels == 1 ? "Y" : channel == 0 ? "R" : channel == 1 ? "G" : "B",
-                   Imf::Slice(options_.half ? Imf::HALF : Imf::FLOAT, const_cast<char*>(base + offset * size), size, transfer.vertexCount * size));
+      const std::size_t offset = static_cast<std::size_t>(channel) *
+                                 static_cast<std::size_t>(transfer.rows()) * transfer.vertexCount;
+      frame.insert(transfer.channels == 1 ? "Y"
+                   : channel == 0         ? "R"
+                   : channel == 1         ? "G"
+                                          : "B",
+                   Imf::Slice(options_.half ? Imf::HALF : Imf::FLOAT, const_cast<char*>(base + offset * size),
+                              size, transfer.vertexCount * size));
     }
     Imf::TiledOutputPart part(file, 0);
     part.setFrameBuffer(frame);
     part.writeTiles(0, part.numXTiles() - 1, 0, part.numYTiles() - 1);
   }
 
-  void writeRow(Imf::MultiPartOutputFile& file, int index, std::initializer_list<const char*> channels, const float* values, std::size_t stride) const {
+  void writeRow(Imf::MultiPartOutputFile& file, int index, std::initializer_list<const char*> channels,
+                const float* values, std::size_t stride) const {
     Imf::FrameBuffer frame;
     std::size_t offset = 0;
     for (const char* channel : channels) {
-      frame.insert(channel, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(values + offset++)), stride * sizeof(float), 0));
+      frame.insert(channel,
+                   Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(values + offset++)),
+                              stride * sizeof(float), 0));
     }
     Imf::OutputPart part(file, index);
     part.setFrameBuffer(frame);
@@ -162,7 +191,10 @@ class AssetWriter {
     Imf::FrameBuffer frame;
     const char* names[] = {"A", "B", "C"};
     for (std::size_t k = 0; k < 3; ++k) {
-      frame.insert(names[k], Imf::Slice(Imf::UINT, reinterpret_cast<char*>(const_cast<std::uint32_t*>(&asset_.triangles[0][k])), 3 * sizeof(std::uint32_t), 0));
+      frame.insert(
+          names[k],
+          Imf::Slice(Imf::UINT, reinterpret_cast<char*>(const_cast<std::uint32_t*>(&asset_.triangles[0][k])),
+                     3 * sizeof(std::uint32_t), 0));
     }
     Imf::OutputPart part(file, index);
     part.setFrameBuffer(frame);
@@ -177,7 +209,8 @@ class AssetWriter {
 
 }  // namespace
 
-void writeAsset(const std::filesystem::path& path, const TransferAsset& asset, const WriteAssetOptions& options) {
+void writeAsset(const std::filesystem::path& path, const TransferAsset& asset,
+                const WriteAssetOptions& options) {
   AtomicFile target(path);
   AssetWriter(path, asset, options).write(target.path());
   target.commit();

@@ -15,12 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 // Names of the six faces, in the order of the strip.
-constexpr std::array<std::array<const char*, 6>, 3> kFaceNames = {{{"px", "nx", "py", "ny", "pz", "nz"},
-                                                                   {"posx", "negx", "posy", "negy", "posz", "negz"},
-                                                                   {"right", "left", "top", "bottom", "front", "back"}}};
+constexpr std::array<std::array<const char*, 6>, 3> kFaceNames = {
+    {{"px", "nx", "py", "ny", "pz", "nz"},
+     {"posx", "negx", "posy", "negy", "posz", "negz"},
+     {"right", "left", "top", "bottom", "front", "back"}}};
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -67,9 +69,11 @@ EnvironmentMap loadFaces(const fs::path& path, const std::vector<fs::path>& face
   map.layout = EnvironmentLayout::kCubeFaces;
   for (const fs::path& face : faces) {
     const LoadedImage loaded = loadImage(face);
-    if (loaded.image.width != loaded.image.height) throw Error(face.string(), "is not square", "give square faces");
+    if (loaded.image.width != loaded.image.height)
+      throw Error(face.string(), "is not square", "give square faces");
     if (map.image.width == 0) map.image.width = loaded.image.width;
-    if (loaded.image.width != map.image.width) throw Error(face.string(), "is of another size than the faces before it", "give six faces of one size");
+    if (loaded.image.width != map.image.width)
+      throw Error(face.string(), "is of another size than the faces before it", "give six faces of one size");
     map.image.pixels.insert(map.image.pixels.end(), loaded.image.pixels.begin(), loaded.image.pixels.end());
     if (map.notes.empty()) map.notes = loaded.notes;
     map.sources.push_back(face);
@@ -94,7 +98,8 @@ bool cornersAreBlack(const Image& image) {
 std::pair<EnvironmentLayout, std::string> guessLayout(const fs::path& path, const LoadedImage& loaded) {
   const auto [w, h] = std::pair(loaded.image.width, loaded.image.height);
   const std::string shape = std::to_string(w) + " x " + std::to_string(h);
-  if (loaded.environmentKind == "latlong") return {EnvironmentLayout::kLatitudeLongitude, "EXR envmap attribute"};
+  if (loaded.environmentKind == "latlong")
+    return {EnvironmentLayout::kLatitudeLongitude, "EXR envmap attribute"};
   if (loaded.environmentKind == "cube") return {EnvironmentLayout::kOpenExrCube, "EXR envmap attribute"};
   const std::string name = lower(path.filename().string());
   const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
@@ -104,7 +109,8 @@ std::pair<EnvironmentLayout, std::string> guessLayout(const fs::path& path, cons
   if (3 * h == 4 * w) return {EnvironmentLayout::kVerticalCross, "3:4 shape"};
   if (4 * h == 3 * w) return {EnvironmentLayout::kHorizontalCross, "4:3 shape"};
   if (h == 6 * w) return {EnvironmentLayout::kCubeStrip, "1:6 shape"};
-  if (w == h && cornersAreBlack(loaded.image)) return {EnvironmentLayout::kAngularMap, "square with black corners"};
+  if (w == h && cornersAreBlack(loaded.image))
+    return {EnvironmentLayout::kAngularMap, "square with black corners"};
   throw Error(path.string(), "no layout fits its " + shape + " pixels", "name one with --layout");
 }
 
@@ -112,17 +118,29 @@ void checkShape(const fs::path& path, EnvironmentLayout layout, const Image& ima
   const int w = image.width, h = image.height;
   bool fits = true;
   switch (layout) {
-    case EnvironmentLayout::kVerticalCross: fits = w % 3 == 0 && h % 4 == 0 && w / 3 == h / 4; break;
-    case EnvironmentLayout::kHorizontalCross: fits = w % 4 == 0 && h % 3 == 0 && w / 4 == h / 3; break;
+    case EnvironmentLayout::kVerticalCross:
+      fits = w % 3 == 0 && h % 4 == 0 && w / 3 == h / 4;
+      break;
+    case EnvironmentLayout::kHorizontalCross:
+      fits = w % 4 == 0 && h % 3 == 0 && w / 4 == h / 3;
+      break;
     case EnvironmentLayout::kCubeStrip:
     case EnvironmentLayout::kCubeFaces:
-    case EnvironmentLayout::kOpenExrCube: fits = h == 6 * w; break;
+    case EnvironmentLayout::kOpenExrCube:
+      fits = h == 6 * w;
+      break;
     case EnvironmentLayout::kAngularMap:
-    case EnvironmentLayout::kMirroredBall: fits = w == h; break;
-    case EnvironmentLayout::kLatitudeLongitude: break;  // any shape is a stretched one
+    case EnvironmentLayout::kMirroredBall:
+      fits = w == h;
+      break;
+    case EnvironmentLayout::kLatitudeLongitude:
+      break;  // any shape is a stretched one
   }
   if (!fits) {
-    throw Error(path.string(), std::string("its ") + std::to_string(w) + " x " + std::to_string(h) + " pixels do not fit the layout " + layoutName(layout), "name another with --layout");
+    throw Error(path.string(),
+                std::string("its ") + std::to_string(w) + " x " + std::to_string(h) +
+                    " pixels do not fit the layout " + layoutName(layout),
+                "name another with --layout");
   }
 }
 
@@ -135,7 +153,8 @@ EnvironmentMap loadEnvironment(const fs::path& path, std::optional<EnvironmentLa
     const std::vector<fs::path> faces = findFaces(path);
     if (!faces.empty()) return loadFaces(path, faces);
     if (manyFiles || layout == EnvironmentLayout::kCubeFaces) {
-      throw Error(path.string(), "holds no six faces", "name them px nx py ny pz nz, posx negx ..., or right left top bottom front back");
+      throw Error(path.string(), "holds no six faces",
+                  "name them px nx py ny pz nz, posx negx ..., or right left top bottom front back");
     }
   }
   LoadedImage loaded = loadImage(path);
@@ -160,7 +179,9 @@ Vec3f sampleEnvironment(const EnvironmentMap& map, Vec3d direction) {
     // All four pixels around a sample must lie inside the disc.
     const double centre = image.width / 2.0, reach = std::max(centre - 1.5, 0.0);
     const double radius = std::hypot(position.x - centre, position.y - centre);
-    if (radius > reach) position = {centre + (position.x - centre) * reach / radius, centre + (position.y - centre) * reach / radius};
+    if (radius > reach)
+      position = {centre + (position.x - centre) * reach / radius,
+                  centre + (position.y - centre) * reach / radius};
   }
   const double x = position.x - 0.5, y = position.y - 0.5;
   const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
@@ -168,8 +189,11 @@ Vec3f sampleEnvironment(const EnvironmentMap& map, Vec3d direction) {
   const bool wraps = map.layout == EnvironmentLayout::kLatitudeLongitude;
   // The cell of a cube's face that the sample may not leave; the whole picture elsewhere.
   int left = 0, right = image.width - 1, top = 0, bottom = image.height - 1;
-  if (map.layout != EnvironmentLayout::kLatitudeLongitude && map.layout != EnvironmentLayout::kAngularMap && map.layout != EnvironmentLayout::kMirroredBall) {
-    const int columns = map.layout == EnvironmentLayout::kVerticalCross ? 3 : map.layout == EnvironmentLayout::kHorizontalCross ? 4 : 1;
+  if (map.layout != EnvironmentLayout::kLatitudeLongitude && map.layout != EnvironmentLayout::kAngularMap &&
+      map.layout != EnvironmentLayout::kMirroredBall) {
+    const int columns = map.layout == EnvironmentLayout::kVerticalCross     ? 3
+                        : map.layout == EnvironmentLayout::kHorizontalCross ? 4
+                                                                            : 1;
     const int cell = image.width / columns;
     left = std::clamp(static_cast<int>(position.x), 0, image.width - 1) / cell * cell;
     top = std::clamp(static_cast<int>(position.y), 0, image.height - 1) / cell * cell;
@@ -180,7 +204,8 @@ Vec3f sampleEnvironment(const EnvironmentMap& map, Vec3d direction) {
     px = wraps ? (px % image.width + image.width) % image.width : std::clamp(px, left, right);
     return image.at(px, std::clamp(py, top, bottom));
   };
-  return (at(x0, y0) * (1 - fx) + at(x0 + 1, y0) * fx) * (1 - fy) + (at(x0, y0 + 1) * (1 - fx) + at(x0 + 1, y0 + 1) * fx) * fy;
+  return (at(x0, y0) * (1 - fx) + at(x0 + 1, y0) * fx) * (1 - fy) +
+         (at(x0, y0 + 1) * (1 - fx) + at(x0 + 1, y0 + 1) * fx) * fy;
 }
 
 }  // namespace shprt

@@ -1,4 +1,5 @@
-// Pictures through OpenImageIO, which trusts headers: sizes are checked against the file before anything is allocated.
+// Pictures through OpenImageIO, which trusts headers: sizes are checked against the file before anything is
+// allocated.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -20,7 +21,8 @@ namespace {
 // No format that is read here stores a pixel in less than its 2000th part.
 constexpr std::uint64_t kMostExpansion = 2000;
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem, const std::string& remedy = "") {
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem,
+                       const std::string& remedy = "") {
   throw Error(path.string(), problem, remedy);
 }
 
@@ -50,7 +52,8 @@ bool isCutPng(const std::filesystem::path& path) {
     unsigned char chunk[8];
     file.seekg(static_cast<std::streamoff>(at));
     if (!file.read(reinterpret_cast<char*>(chunk), 8)) return true;
-    const std::uint64_t length = std::uint64_t{chunk[0]} << 24 | std::uint64_t{chunk[1]} << 16 | std::uint64_t{chunk[2]} << 8 | chunk[3];
+    const std::uint64_t length = std::uint64_t{chunk[0]} << 24 | std::uint64_t{chunk[1]} << 16 |
+                                 std::uint64_t{chunk[2]} << 8 | chunk[3];
     at += 12 + length;
     if (std::string_view(reinterpret_cast<char*>(chunk) + 4, 4) == "IEND") return at > size;
   }
@@ -60,7 +63,8 @@ bool isCutPng(const std::filesystem::path& path) {
 // The end of a channel name like "left.R".
 std::string baseName(const std::string& channel) {
   std::string name = channel.substr(channel.rfind('.') + 1);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return name;
 }
 
@@ -69,7 +73,9 @@ std::array<int, 3> chooseChannels(const OIIO::ImageSpec& spec, std::vector<std::
   std::array<int, 3> chosen = {-1, -1, -1};
   constexpr std::array<const char*, 3> kShort = {"R", "G", "B"}, kLong = {"RED", "GREEN", "BLUE"};
   for (int channel = 0; channel < spec.nchannels; ++channel) {
-    const std::string name = channel < static_cast<int>(spec.channelnames.size()) ? baseName(spec.channelnames[static_cast<std::size_t>(channel)]) : "";
+    const std::string name = channel < static_cast<int>(spec.channelnames.size())
+                                 ? baseName(spec.channelnames[static_cast<std::size_t>(channel)])
+                                 : "";
     for (std::size_t colour = 0; colour < 3; ++colour) {
       if (chosen[colour] < 0 && (name == kShort[colour] || name == kLong[colour])) chosen[colour] = channel;
     }
@@ -78,12 +84,16 @@ std::array<int, 3> chooseChannels(const OIIO::ImageSpec& spec, std::vector<std::
   if (!named) chosen = spec.nchannels >= 3 ? std::array<int, 3>{0, 1, 2} : std::array<int, 3>{0, 0, 0};
   if (chosen[0] == chosen[1]) notes.push_back("one channel, used for all three colours");
   const int others = spec.nchannels - (chosen[0] == chosen[1] ? 1 : 3);
-  if (others > 0) notes.push_back(std::to_string(others) + (others == 1 ? " further channel ignored" : " further channels ignored"));
+  if (others > 0)
+    notes.push_back(std::to_string(others) +
+                    (others == 1 ? " further channel ignored" : " further channels ignored"));
   return chosen;
 }
 
 // Based on: IEC 61966-2-1.
-float decodeSrgb(float value) { return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f); }
+float decodeSrgb(float value) {
+  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
 
 }  // namespace
 
@@ -95,14 +105,19 @@ LoadedImage loadImage(const std::filesystem::path& path) {
     const auto input = OIIO::ImageInput::open(path.string());
     if (!input) {
       const std::string reason = OIIO::geterror();
-      fail(path, "cannot be read as an image: " + reason.substr(0, 200), "give a picture in a format that OpenImageIO reads");
+      fail(path, "cannot be read as an image: " + reason.substr(0, 200),
+           "give a picture in a format that OpenImageIO reads");
     }
     const OIIO::ImageSpec& spec = input->spec();
     const std::uint64_t bytes = std::filesystem::file_size(path);
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1) fail(path, "has no pixels of a flat image");
-    const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1)
+      fail(path, "has no pixels of a flat image");
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
     if (pixels / kMostExpansion > bytes || spec.nchannels > 1024) {
-      fail(path, "claims " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels, more than its " + std::to_string(bytes) + " bytes can hold",
+      fail(path,
+           "claims " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+               " pixels, more than its " + std::to_string(bytes) + " bytes can hold",
            "the file is damaged");
     }
     loaded.format = input->format_name();
@@ -144,10 +159,12 @@ void saveImage(const std::filesystem::path& path, const Image& image) {
   OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   if (suffix == ".exr") spec.attribute("compression", "zip");
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-  // Formats hide what goes wrong while a file is closed; written to memory first, nothing can, and the file is ours to write.
+  // Formats hide what goes wrong while a file is closed; written to memory first, nothing can, and the file
+  // is ours to write.
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
-  if (!output->supports("ioproxy") || !output->set_ioproxy(&memory)) fail(path, "is of a format that cannot be written here", "use .png, .exr, .hdr or .jpg");
+  if (!output->supports("ioproxy") || !output->set_ioproxy(&memory))
+    fail(path, "is of a format that cannot be written here", "use .png, .exr, .hdr or .jpg");
   bool good = output->open(path.string(), spec);
   good = good && output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
   good = output->close() && good;

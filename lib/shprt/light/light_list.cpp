@@ -21,10 +21,13 @@ std::array<double, 3> nonNegative(const JsonObject& entry, const char* field) {
   return values;
 }
 
-LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesystem::path& folder, int degree, bool strict, ProjectedList& list) {
+LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesystem::path& folder, int degree,
+                                    bool strict, ProjectedList& list) {
   entry.allowOnly({"type", "file", "scale", "rotate", "layout"});
   const std::filesystem::path file = folder / entry.text("file");
-  if (!std::filesystem::exists(file)) entry.fail("file", "names " + file.string() + ", which does not exist", "paths are relative to the list's folder");
+  if (!std::filesystem::exists(file))
+    entry.fail("file", "names " + file.string() + ", which does not exist",
+               "paths are relative to the list's folder");
   const double scale = entry.has("scale") ? entry.number("scale") : 1;
   if (scale < 0) entry.fail("scale", "is negative", "light cannot be negative");
   LightCoefficients light;
@@ -41,19 +44,25 @@ LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesyst
     const std::string name = file.filename().string();
     list.notes.push_back(name + ": layout " + layoutName(map.layout) + " (" + map.layoutReason + ")");
     for (const std::string& note : map.notes) list.notes.push_back(name + ": " + note);
-    if (projection.nonFinitePixels) list.notes.push_back(name + ": " + std::to_string(projection.nonFinitePixels) + " pixels that are not finite left out");
-    if (projection.negativePixels) list.notes.push_back(name + ": " + std::to_string(projection.negativePixels) + " negative pixels, used as they are");
+    if (projection.nonFinitePixels)
+      list.notes.push_back(name + ": " + std::to_string(projection.nonFinitePixels) +
+                           " pixels that are not finite left out");
+    if (projection.negativePixels)
+      list.notes.push_back(name + ": " + std::to_string(projection.negativePixels) +
+                           " negative pixels, used as they are");
   }
   if (entry.has("rotate")) light = rotateLight(light, parseRotation(entry.text("rotate")));
   return scaleLight(light, scale);
 }
 
-LightCoefficients projectEntry(const JsonObject& entry, const std::filesystem::path& folder, int degree, bool strict, ProjectedList& list) {
+LightCoefficients projectEntry(const JsonObject& entry, const std::filesystem::path& folder, int degree,
+                               bool strict, ProjectedList& list) {
   const std::string type = entry.text("type");
   if (type == "directional") {
     entry.allowOnly({"type", "direction", "irradiance"});
     const auto [x, y, z] = entry.triple("direction");
-    if (x == 0 && y == 0 && z == 0) entry.fail("direction", "is zero", "give a vector that points towards the light");
+    if (x == 0 && y == 0 && z == 0)
+      entry.fail("direction", "is zero", "give a vector that points towards the light");
     return projectDirectional({x, y, z}, nonNegative(entry, "irradiance"), degree);
   }
   if (type == "constant") {
@@ -87,7 +96,8 @@ ProjectedList projectLightList(const std::filesystem::path& path, int degree, bo
     const JsonObject entry(path.string(), "lights[" + std::to_string(i) + "]", lights[i]);
     const LightCoefficients light = projectEntry(entry, path.parent_path(), degree, strict, list);
     if (light.degree < degree && !(i > 0 && list.light.degree <= light.degree)) {
-      list.notes.push_back("lights[" + std::to_string(i) + "] holds only degree " + std::to_string(light.degree) + "; the sum has no more");
+      list.notes.push_back("lights[" + std::to_string(i) + "] holds only degree " +
+                           std::to_string(light.degree) + "; the sum has no more");
     }
     list.light = i == 0 ? light : addLights(list.light, light);
   }

@@ -14,11 +14,12 @@ bool isLightList(const std::filesystem::path& path);
 
 struct ProjectedList {
   LightCoefficients light;
-  std::vector<std::string> notes;                // what was mended in its probes, layouts taken
+  std::vector<std::string> notes;  // what was mended in its probes, layouts taken
   std::vector<std::filesystem::path> sources;
 };
 
-// Reads, checks (Error names the light's number and the field; unknown fields and types are refused) and projects.
+// Reads, checks (Error names the light's number and the field; unknown fields and types are refused) and
+// projects.
 ProjectedList projectLightList(const std::filesystem::path& path, int degree, bool strict = false);
 
 }  // namespace shprt

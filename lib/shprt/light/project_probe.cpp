@@ -1,9 +1,10 @@
 // Probe images to coefficients: sums over pixels of radiance times basis times solid angle.
 //
-// A latitude-longitude picture is separable about its own pole (+Y): each row is first summed against cos and sin of
-// multiples of the longitude, and only these few sums meet the Legendre functions of the row. The result is then turned
-// so that the pole lies along +Z, the axis of the basis. Other layouts evaluate the basis at every pixel.
-// Based on: Ramamoorthi and Hanrahan 2001, eq. 10 (projection); Driscoll and Healy 1994 (separation of variables).
+// A latitude-longitude picture is separable about its own pole (+Y): each row is first summed against cos and
+// sin of multiples of the longitude, and only these few sums meet the Legendre functions of the row. The
+// result is then turned so that the pole lies along +Z, the axis of the basis. Other layouts evaluate the
+// basis at every pixel. Based on: Ramamoorthi and Hanrahan 2001, eq. 10 (projection); Driscoll and Healy 1994
+// (separation of variables).
 
 #include "shprt/light/project_probe.h"
 
@@ -32,7 +33,8 @@ struct PartialSum {
 };
 
 // Counts and mends one pixel.
-bool usePixel(const Vec3f& pixel, double solidAngle, bool clampNegative, std::array<double, 3>& radiance, PartialSum& sum) {
+bool usePixel(const Vec3f& pixel, double solidAngle, bool clampNegative, std::array<double, 3>& radiance,
+              PartialSum& sum) {
   ++sum.pixels;
   if (!isFinite(pixel)) {
     ++sum.nonFinite;
@@ -83,11 +85,13 @@ double dotProduct(const double* a, const double* b, std::size_t count) {
 }
 
 // Coefficients about the picture's own pole: local z is +Y, local x is +Z, local y is +X.
-void addLatitudeRow(const Image& image, int y, const ProjectOptions& options, const LongitudeTables& tables, PartialSum& sum) {
+void addLatitudeRow(const Image& image, int y, const ProjectOptions& options, const LongitudeTables& tables,
+                    PartialSum& sum) {
   const int degree = options.degree;
   const int width = image.width;
   const std::size_t half = tables.half();
-  const double solidAngle = pixelFootprint(EnvironmentLayout::kLatitudeLongitude, width, image.height, 0, y).solidAngle;
+  const double solidAngle =
+      pixelFootprint(EnvironmentLayout::kLatitudeLongitude, width, image.height, 0, y).solidAngle;
   std::vector<double> even[3], odd[3];
   for (int c = 0; c < 3; ++c) even[c].assign(half, 0.0), odd[c].assign(half, 0.0);
   for (int x = 0; x < width; ++x) {
@@ -120,10 +124,13 @@ void addRow(const EnvironmentMap& map, int y, const ProjectOptions& options, Par
   for (int x = 0; x < map.image.width; ++x) {
     const PixelFootprint footprint = pixelFootprint(map.layout, map.image.width, map.image.height, x, y);
     std::array<double, 3> radiance;
-    if (footprint.solidAngle <= 0 || !usePixel(map.image.at(x, y), footprint.solidAngle, options.clampNegative, radiance, sum)) continue;
+    if (footprint.solidAngle <= 0 ||
+        !usePixel(map.image.at(x, y), footprint.solidAngle, options.clampNegative, radiance, sum))
+      continue;
     evaluateSh(options.degree, footprint.direction, basis);
     for (std::size_t i = 0; i < basis.size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c) sum.coefficients[i][c] += footprint.solidAngle * basis[i] * radiance[c];
+      for (std::size_t c = 0; c < 3; ++c)
+        sum.coefficients[i][c] += footprint.solidAngle * basis[i] * radiance[c];
   }
 }
 
@@ -137,7 +144,9 @@ void add(PartialSum& total, const PartialSum& part) {
   for (std::size_t c = 0; c < 3; ++c) total.energy[c] += part.energy[c];
 }
 
-std::string nameOf(const EnvironmentMap& map) { return map.sources.empty() ? "probe" : map.sources.front().string(); }
+std::string nameOf(const EnvironmentMap& map) {
+  return map.sources.empty() ? "probe" : map.sources.front().string();
+}
 
 }  // namespace
 
@@ -152,8 +161,10 @@ ProbeProjection projectProbe(const EnvironmentMap& map, const ProjectOptions& op
     PartialSum& part = parts[begin / kRowsPerBlock];
     part.coefficients.resize(coefficients);
     for (std::size_t y = begin; y < end; ++y) {
-      if (separable) addLatitudeRow(map.image, static_cast<int>(y), options, tables, part);
-      else addRow(map, static_cast<int>(y), options, part);
+      if (separable)
+        addLatitudeRow(map.image, static_cast<int>(y), options, tables, part);
+      else
+        addRow(map, static_cast<int>(y), options, part);
     }
   });
   PartialSum total;
@@ -161,9 +172,13 @@ ProbeProjection projectProbe(const EnvironmentMap& map, const ProjectOptions& op
   for (const PartialSum& part : parts) add(total, part);
 
   if (options.strict && total.nonFinite + total.negative > 0) {
-    throw Error(nameOf(map), std::to_string(total.nonFinite) + " pixels are not finite and " + std::to_string(total.negative) + " negative", "mend them, or leave out --strict");
+    throw Error(nameOf(map),
+                std::to_string(total.nonFinite) + " pixels are not finite and " +
+                    std::to_string(total.negative) + " negative",
+                "mend them, or leave out --strict");
   }
-  if (!(total.solidAngle > 0)) throw Error(nameOf(map), "has no usable pixel", "give an image with finite values");
+  if (!(total.solidAngle > 0))
+    throw Error(nameOf(map), "has no usable pixel", "give an image with finite values");
   // Pixels that were left out are stood for by the rest.
   const double scale = 4 * pi / total.solidAngle;
   ProbeProjection projection;
@@ -184,19 +199,22 @@ ProbeProjection projectProbe(const EnvironmentMap& map, const ProjectOptions& op
     projection.energy[c] = total.energy[c] * scale;
     double held = 0;
     for (const auto& coefficient : projection.light.coefficients) held += coefficient[c] * coefficient[c];
-    if (projection.energy[c] > 0) projection.energyMissed[c] = std::clamp(1 - held / projection.energy[c], 0.0, 1.0);
+    if (projection.energy[c] > 0)
+      projection.energyMissed[c] = std::clamp(1 - held / projection.energy[c], 0.0, 1.0);
   }
   return projection;
 }
 
 LightCoefficients projectDirectional(Vec3d direction, const std::array<double, 3>& irradiance, int degree) {
   const Vec3d unit = normalize(direction);
-  if (unit == Vec3d{} || !isFinite(unit)) throw Error("directional light", "has no direction", "give a nonzero vector towards the light");
+  if (unit == Vec3d{} || !isFinite(unit))
+    throw Error("directional light", "has no direction", "give a nonzero vector towards the light");
   std::vector<double> basis(static_cast<std::size_t>(coefficientCount(degree)));
   evaluateSh(degree, unit, basis);
   LightCoefficients light;
   light.degree = degree;
-  for (const double y : basis) light.coefficients.push_back({irradiance[0] * y, irradiance[1] * y, irradiance[2] * y});
+  for (const double y : basis)
+    light.coefficients.push_back({irradiance[0] * y, irradiance[1] * y, irradiance[2] * y});
   light.source = "directional";
   return light;
 }

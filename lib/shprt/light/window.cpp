@@ -1,9 +1,11 @@
 // Windows multiply band l by a factor between 0 and 1, with width w = degree + 1:
 //   hann     (1 + cos(pi l / w)) / 2
 //   lanczos  sin(pi l / w) / (pi l / w)
-//   auto     1 / (1 + lambda l^2 (l+1)^2), the minimiser of squared error plus lambda times the squared Laplacian, with the
+//   auto     1 / (1 + lambda l^2 (l+1)^2), the minimiser of squared error plus lambda times the squared
+//   Laplacian, with the
 //            least lambda for which the irradiance is nowhere negative.
-// Based on: Sloan 2008, "Stupid Spherical Harmonics (SH) Tricks", section on windowing (hann, lanczos, Laplacian).
+// Based on: Sloan 2008, "Stupid Spherical Harmonics (SH) Tricks", section on windowing (hann, lanczos,
+// Laplacian).
 
 #include "shprt/light/window.h"
 
@@ -38,25 +40,29 @@ double laplacianFactor(int l, double lambda) {
   return 1 / (1 + lambda * laplacian * laplacian);
 }
 
-// The irradiance of a light relative to its average, as a function of direction and lambda. Per grid direction the bands are
-// summed once, so that trying another lambda costs a few operations.
+// The irradiance of a light relative to its average, as a function of direction and lambda. Per grid
+// direction the bands are summed once, so that trying another lambda costs a few operations.
 class Irradiance {
  public:
-  explicit Irradiance(const LightCoefficients& light) : light_(light), cosine_(clampedCosineFactors(light.degree)) {
+  explicit Irradiance(const LightCoefficients& light)
+      : light_(light), cosine_(clampedCosineFactors(light.degree)) {
     // Finer than the shortest wave: 6 points per degree along a meridian.
     const int rows = 6 * (light.degree + 2), columns = 2 * rows;
     for (int i = 0; i <= rows; ++i)
       for (int j = 0; j < (i == 0 || i == rows ? 1 : columns); ++j) {
         const double theta = pi * i / rows, phi = 2 * pi * j / columns;
-        const Vec3d direction{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+        const Vec3d direction{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                              std::cos(theta)};
         for (std::size_t colour = 0; colour < 3; ++colour) {
-          if (light.coefficients[0][colour] > 0) points_.push_back({direction, colour, bandSums(direction, colour)});
+          if (light.coefficients[0][colour] > 0)
+            points_.push_back({direction, colour, bandSums(direction, colour)});
         }
       }
     step_ = pi / rows;
   }
 
-  // The least over all directions and colours. refined: the lowest grid points are followed downhill to their minimum.
+  // The least over all directions and colours. refined: the lowest grid points are followed downhill to their
+  // minimum.
   double minimum(double lambda, bool refined) const {
     double least = 1;
     std::vector<std::pair<double, const Point*>> values;
@@ -69,7 +75,8 @@ class Irradiance {
     const std::size_t followed = std::min<std::size_t>(24, values.size());
     std::partial_sort(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(followed), values.end(),
                       [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t k = 0; k < followed; ++k) least = std::min(least, descend(*values[k].second, values[k].first, lambda));
+    for (std::size_t k = 0; k < followed; ++k)
+      least = std::min(least, descend(*values[k].second, values[k].first, lambda));
     return least;
   }
 
@@ -86,7 +93,8 @@ class Irradiance {
     const double average = cosine_[0] * light_.coefficients[0][colour] * basis[0];
     for (int l = 0; l <= light_.degree; ++l) {
       double sum = 0;
-      for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i) sum += light_.coefficients[static_cast<std::size_t>(i)][colour] * basis[static_cast<std::size_t>(i)];
+      for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i)
+        sum += light_.coefficients[static_cast<std::size_t>(i)][colour] * basis[static_cast<std::size_t>(i)];
       bands.push_back(cosine_[static_cast<std::size_t>(l)] * sum / average);
     }
     return bands;
@@ -94,7 +102,8 @@ class Irradiance {
 
   static double weigh(const std::vector<double>& bands, double lambda) {
     double sum = 0;
-    for (std::size_t l = 0; l < bands.size(); ++l) sum += laplacianFactor(static_cast<int>(l), lambda) * bands[l];
+    for (std::size_t l = 0; l < bands.size(); ++l)
+      sum += laplacianFactor(static_cast<int>(l), lambda) * bands[l];
     return sum;
   }
 
@@ -102,7 +111,8 @@ class Irradiance {
   double descend(const Point& start, double value, double lambda) const {
     Vec3d here = start.direction;
     for (double step = step_ / 2; step > 1e-5;) {
-      const Vec3d side = normalize(cross(here, std::abs(here.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0})), up = cross(side, here);
+      const Vec3d side = normalize(cross(here, std::abs(here.z) < 0.9 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0})),
+                  up = cross(side, here);
       bool lower = false;
       for (const Vec3d offset : {side, -side, up, -up}) {
         const Vec3d there = normalize(here + offset * step);
@@ -159,14 +169,16 @@ WindowResult applyWindow(const LightCoefficients& light, Window window) {
   const double width = light.degree + 1;
   WindowResult result{light, "none", 0, 0};
   switch (window) {
-    case Window::kNone: break;
+    case Window::kNone:
+      break;
     case Window::kHann:
       result.name = "hann";
       result.light = scaleBands(light, [&](int l) { return (1 + std::cos(pi * l / width)) / 2; });
       break;
     case Window::kLanczos:
       result.name = "lanczos";
-      result.light = scaleBands(light, [&](int l) { return l == 0 ? 1 : std::sin(pi * l / width) / (pi * l / width); });
+      result.light =
+          scaleBands(light, [&](int l) { return l == 0 ? 1 : std::sin(pi * l / width) / (pi * l / width); });
       break;
     case Window::kAuto: {
       result.name = "auto";

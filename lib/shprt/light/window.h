@@ -12,14 +12,15 @@ Window parseWindow(const std::string& name);  // none, hann, lanczos, auto; thro
 
 struct WindowResult {
   LightCoefficients light;
-  std::string name;              // what was applied
-  double strength = 0;           // share of the energy in bands 1 and up that was taken away, in [0,1]
-  double minimumIrradiance = 0;  // over the sphere, least channel, after windowing, relative to the average irradiance
+  std::string name;     // what was applied
+  double strength = 0;  // share of the energy in bands 1 and up that was taken away, in [0,1]
+  double minimumIrradiance =
+      0;  // over the sphere, least channel, after windowing, relative to the average irradiance
 };
 
-// kAuto applies the least windowing (one-parameter family, see window.cpp) for which the irradiance (the light
-// convolved with the clamped cosine) is non-negative in every direction and channel, as found on a grid of six
-// points per degree and by descent from its lowest points.
+// kAuto applies the least windowing (one-parameter family, see window.cpp) for which the irradiance (the
+// light convolved with the clamped cosine) is non-negative in every direction and channel, as found on a grid
+// of six points per degree and by descent from its lowest points.
 WindowResult applyWindow(const LightCoefficients& light, Window window);
 
 }  // namespace shprt

@@ -10,7 +10,8 @@
 namespace shprt {
 namespace {
 
-// Disjoint sets of corners; the representative is the lowest corner, so results do not depend on the order of joins.
+// Disjoint sets of corners; the representative is the lowest corner, so results do not depend on the order of
+// joins.
 class CornerSets {
  public:
   explicit CornerSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -21,8 +22,10 @@ class CornerSets {
   }
   void join(std::uint32_t a, std::uint32_t b) {
     a = find(a), b = find(b);
-    if (a < b) parent_[b] = a;
-    else parent_[a] = b;
+    if (a < b)
+      parent_[b] = a;
+    else
+      parent_[a] = b;
   }
 
  private:
@@ -37,17 +40,21 @@ struct Edge {
   }
 };
 
-std::uint32_t nextCorner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+std::uint32_t nextCorner(std::uint32_t corner) {
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
 
 }  // namespace
 
-std::vector<Vec3f> computeCornerNormals(std::span<const Vec3f> positions, std::span<const Triangle> triangles, double creaseAngleDegrees) {
+std::vector<Vec3f> computeCornerNormals(std::span<const Vec3f> positions, std::span<const Triangle> triangles,
+                                        double creaseAngleDegrees) {
   const std::size_t cornerCount = 3 * triangles.size();
   const auto positionOf = [&](std::size_t corner) { return triangles[corner / 3][corner % 3]; };
   std::vector<Vec3d> faceNormals(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
-    faceNormals[t] = normalize(areaDirection(toDouble(positions[a]), toDouble(positions[b]), toDouble(positions[c])));
+    faceNormals[t] =
+        normalize(areaDirection(toDouble(positions[a]), toDouble(positions[b]), toDouble(positions[c])));
   }
 
   std::vector<Edge> edges;
@@ -61,9 +68,11 @@ std::vector<Vec3f> computeCornerNormals(std::span<const Vec3f> positions, std::s
   const double leastCosine = std::cos(std::clamp(creaseAngleDegrees, 0.0, 180.0) * std::numbers::pi / 180);
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin + 1;
-    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high) ++end;
+    while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high)
+      ++end;
     const std::uint32_t a = edges[begin].corner, b = edges[end - 1].corner;
-    const bool pair = end - begin == 2 && positionOf(a) == positionOf(nextCorner(b)) && positionOf(b) == positionOf(nextCorner(a));
+    const bool pair = end - begin == 2 && positionOf(a) == positionOf(nextCorner(b)) &&
+                      positionOf(b) == positionOf(nextCorner(a));
     if (pair && dot(faceNormals[a / 3], faceNormals[b / 3]) >= leastCosine - 1e-9) {
       sets.join(a, nextCorner(b));
       sets.join(b, nextCorner(a));

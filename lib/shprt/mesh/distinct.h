@@ -29,7 +29,8 @@ DistinctIds numberDistinct(std::size_t count, const KeyOf& keyOf) {
     std::uint64_t hash = 0;
     for (const std::uint32_t word : key) hash = (std::rotl(hash, 23) ^ word) * 0x9e3779b97f4a7c15u;
     std::size_t slot = (hash ^ (hash >> 32)) & (capacity - 1);
-    while (table[slot] != kEmpty && keyOf(distinct.firstUse[table[slot]]) != key) slot = (slot + 1) & (capacity - 1);
+    while (table[slot] != kEmpty && keyOf(distinct.firstUse[table[slot]]) != key)
+      slot = (slot + 1) & (capacity - 1);
     if (table[slot] == kEmpty) {
       table[slot] = static_cast<std::uint32_t>(distinct.firstUse.size());
       distinct.firstUse.push_back(static_cast<std::uint32_t>(i));
@@ -40,6 +41,8 @@ DistinctIds numberDistinct(std::size_t count, const KeyOf& keyOf) {
 }
 
 // Adding zero turns -0 into 0, which is the same place.
-inline std::uint32_t keyBits(float value) { return std::bit_cast<std::uint32_t>(value + 0.0f); }
+inline std::uint32_t keyBits(float value) {
+  return std::bit_cast<std::uint32_t>(value + 0.0f);
+}
 
 }  // namespace shprt

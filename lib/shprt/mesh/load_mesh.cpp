@@ -16,11 +16,13 @@ namespace {
 
 using Preflight = CanonicalFile (*)(const std::filesystem::path&, std::string);
 
-// UTF-16 to UTF-8, as far as mesh files need it: pairs of surrogates become question marks, only comments have them.
+// UTF-16 to UTF-8, as far as mesh files need it: pairs of surrogates become question marks, only comments
+// have them.
 std::string fromUtf16(std::string_view bytes, bool bigEndian) {
   std::string text;
   for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
-    const auto first = static_cast<unsigned char>(bytes[i]), second = static_cast<unsigned char>(bytes[i + 1]);
+    const auto first = static_cast<unsigned char>(bytes[i]),
+               second = static_cast<unsigned char>(bytes[i + 1]);
     const unsigned unit = bigEndian ? first * 256u + second : second * 256u + first;
     if (unit < 0x80) {
       text += static_cast<char>(unit);
@@ -48,7 +50,8 @@ std::string decodeText(std::string bytes, std::vector<std::string>& notes) {
 
 Preflight choosePreflight(const std::filesystem::path& path, std::string_view bytes) {
   std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (suffix == ".obj") return preflightObj;
   if (suffix == ".ply") return preflightPly;
   if (suffix == ".off") return preflightOff;
@@ -58,7 +61,8 @@ Preflight choosePreflight(const std::filesystem::path& path, std::string_view by
   if (head.starts_with("solid")) return preflightStl;
   const std::string_view firstLine = takeLine(head);
   if (firstLine.find("OFF") != std::string_view::npos && firstLine.size() < 24) return preflightOff;
-  throw Error(path.string(), "is of no mesh format that is known here", "give an .obj, .ply, .off or .stl file");
+  throw Error(path.string(), "is of no mesh format that is known here",
+              "give an .obj, .ply, .off or .stl file");
 }
 
 }  // namespace
@@ -66,7 +70,8 @@ Preflight choosePreflight(const std::filesystem::path& path, std::string_view by
 LoadedMesh loadMesh(const std::filesystem::path& path, const LoadMeshOptions& options) {
   std::string bytes = readFile(path);
   if (bytes.empty()) throw Error(path.string(), "is empty", "give a mesh file");
-  if (bytes.starts_with("version https://git-lfs")) throw Error(path.string(), "is a git-LFS pointer, not a mesh", "fetch it with: git lfs pull");
+  if (bytes.starts_with("version https://git-lfs"))
+    throw Error(path.string(), "is a git-LFS pointer, not a mesh", "fetch it with: git lfs pull");
   std::vector<std::string> notes;
   const Preflight preflight = choosePreflight(path, bytes);
   if (preflight == preflightObj || preflight == preflightOff) bytes = decodeText(std::move(bytes), notes);
@@ -74,17 +79,24 @@ LoadedMesh loadMesh(const std::filesystem::path& path, const LoadMeshOptions& op
   file.report.notes.insert(file.report.notes.begin(), notes.begin(), notes.end());
 
   const MeshReport& report = file.report;
-  if (report.sourceFaces == 0) throw Error(path.string(), "has no faces (" + countOf(report.sourceVertices, "vertex", "vertices") + ")", "give a mesh with faces");
-  const std::string unusable = "none of its " + countOf(report.sourceFaces, "face") + " can be used: " +
-                               countOf(report.badIndexFaces, "bad index", "bad indices") + ", " + countOf(report.nonFiniteFaces, "non-finite vertex", "non-finite vertices") +
+  if (report.sourceFaces == 0)
+    throw Error(path.string(), "has no faces (" + countOf(report.sourceVertices, "vertex", "vertices") + ")",
+                "give a mesh with faces");
+  const std::string unusable = "none of its " + countOf(report.sourceFaces, "face") +
+                               " can be used: " + countOf(report.badIndexFaces, "bad index", "bad indices") +
+                               ", " +
+                               countOf(report.nonFiniteFaces, "non-finite vertex", "non-finite vertices") +
                                ", " + std::to_string(report.shortFaces) + " under three corners";
-  if (file.faces == 0 && report.zeroAreaTriangles == 0) throw Error(path.string(), unusable, "export the mesh again");
+  if (file.faces == 0 && report.zeroAreaTriangles == 0)
+    throw Error(path.string(), unusable, "export the mesh again");
   LoadedMesh loaded;
   loaded.sources.push_back(path);
   loaded.sources.insert(loaded.sources.end(), file.sources.begin(), file.sources.end());
   if (file.faces > 0) {
     const RawMesh raw = importWithOpenMesh(path.string(), file);
-    loaded.mesh = makeRenderVertices(raw, file, options.creaseAngleDegrees.value_or(kDefaultCreaseAngleDegrees), options.creaseAngleDegrees.has_value());
+    loaded.mesh =
+        makeRenderVertices(raw, file, options.creaseAngleDegrees.value_or(kDefaultCreaseAngleDegrees),
+                           options.creaseAngleDegrees.has_value());
   }
   if (loaded.mesh.triangles.empty()) {
     throw Error(path.string(), unusable + ", the rest without area", "export the mesh again");

@@ -17,13 +17,16 @@ std::string textureName(std::string_view line) {
     std::string_view token = takeToken(rest);
     if (token.size() < 2 || token.front() != '-' || parseNumber(token)) return std::string(line);
     line = rest;
-    for (token = takeToken(rest); parseNumber(token) || token == "on" || token == "off"; token = takeToken(rest)) line = rest;
+    for (token = takeToken(rest); parseNumber(token) || token == "on" || token == "off";
+         token = takeToken(rest))
+      line = rest;
   }
 }
 
 }  // namespace
 
-void readMaterialLibrary(const std::filesystem::path& path, MaterialLibrary& library, std::vector<std::string>& notes) {
+void readMaterialLibrary(const std::filesystem::path& path, MaterialLibrary& library,
+                         std::vector<std::string>& notes) {
   constexpr std::uint64_t kMaximumBytes = std::uint64_t{1} << 28;
   const std::string bytes = readFile(path, kMaximumBytes);
   const std::string name = path.filename().string();
@@ -43,13 +46,15 @@ void readMaterialLibrary(const std::filesystem::path& path, MaterialLibrary& lib
         const std::optional<float> value = parseFloat(takeToken(line));
         readable = readable && value;
         channel = std::clamp(value.value_or(0), 0.0f, 1.0f);
-        if (value && channel != *value) notes.push_back(name + ": Kd of '" + shownToken(current->name) + "' clamped to [0,1]");
+        if (value && channel != *value)
+          notes.push_back(name + ": Kd of '" + shownToken(current->name) + "' clamped to [0,1]");
       }
       if (readable) {
         current->diffuse = {colour[0], colour[1], colour[2]};
         current->hasDiffuse = true;
       } else {
-        notes.push_back(name + ": Kd of '" + shownToken(current->name) + "' cannot be read; default albedo used");
+        notes.push_back(name + ": Kd of '" + shownToken(current->name) +
+                        "' cannot be read; default albedo used");
       }
     } else if (current && keyword == "map_Kd") {
       current->diffuseTexture = textureName(line);

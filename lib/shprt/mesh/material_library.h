@@ -15,8 +15,9 @@ inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
 using MaterialLibrary = std::map<std::string, Material, std::less<>>;
 
-// Adds the file's materials to library; a name defined before keeps its first definition. Kd is taken as linear and clamped to
-// [0,1], with a note. Throws Error when the file cannot be read.
-void readMaterialLibrary(const std::filesystem::path& path, MaterialLibrary& library, std::vector<std::string>& notes);
+// Adds the file's materials to library; a name defined before keeps its first definition. Kd is taken as
+// linear and clamped to [0,1], with a note. Throws Error when the file cannot be read.
+void readMaterialLibrary(const std::filesystem::path& path, MaterialLibrary& library,
+                         std::vector<std::string>& notes);
 
 }  // namespace shprt

@@ -1,8 +1,9 @@
-// OpenMesh's parsers hand vertices and polygons to whatever implements BaseImporter. This one puts them into plain arrays,
-// so nothing is duplicated, split or dropped for the sake of a manifold.
+// OpenMesh's parsers hand vertices and polygons to whatever implements BaseImporter. This one puts them into
+// plain arrays, so nothing is duplicated, split or dropped for the sake of a manifold.
 //
-// Normals and texture coordinates of OBJ corners arrive through the per-vertex calls just before the face that uses them;
-// between two faces those calls therefore belong to corners, and elsewhere (PLY, OFF) to vertices.
+// Normals and texture coordinates of OBJ corners arrive through the per-vertex calls just before the face
+// that uses them; between two faces those calls therefore belong to corners, and elsewhere (PLY, OFF) to
+// vertices.
 
 #include "shprt/mesh/openmesh_import.h"
 
@@ -35,8 +36,12 @@ using OpenMesh::VertexHandle;
 using OpenMesh::Attributes::StatusInfo;
 using OpenMeshVec3f = OpenMesh::Vec3f;
 
-shprt::Vec3f toVec(const OpenMeshVec3f& v) { return {v[0], v[1], v[2]}; }
-shprt::Vec2f toVec(const Vec2f& v) { return {v[0], v[1]}; }
+shprt::Vec3f toVec(const OpenMeshVec3f& v) {
+  return {v[0], v[1], v[2]};
+}
+shprt::Vec2f toVec(const Vec2f& v) {
+  return {v[0], v[1]};
+}
 
 class ArrayImporter final : public OpenMesh::IO::BaseImporter {
  public:
@@ -57,12 +62,15 @@ class ArrayImporter final : public OpenMesh::IO::BaseImporter {
     return VertexHandle(static_cast<int>(mesh.positions.size()) - 1);
   }
   VertexHandle add_vertex() override { return add_vertex(OpenMeshVec3f(0, 0, 0)); }
-  void set_point(VertexHandle vertex, const OpenMeshVec3f& point) override { mesh.positions.at(indexOf(vertex)) = toVec(point); }
+  void set_point(VertexHandle vertex, const OpenMeshVec3f& point) override {
+    mesh.positions.at(indexOf(vertex)) = toVec(point);
+  }
 
   FaceHandle add_face(const VHandles& corners) override {
     for (const VertexHandle corner : corners) {
       mesh.corners.push_back(static_cast<std::uint32_t>(indexOf(corner)));
-      if (indexOf(corner) >= mesh.positions.size()) throw std::out_of_range("a face names a vertex that does not exist");
+      if (indexOf(corner) >= mesh.positions.size())
+        throw std::out_of_range("a face names a vertex that does not exist");
     }
     mesh.faceStarts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
     if (toCorners_) {
@@ -72,8 +80,12 @@ class ArrayImporter final : public OpenMesh::IO::BaseImporter {
     return FaceHandle(static_cast<int>(mesh.faceCount()) - 1);
   }
 
-  void set_normal(VertexHandle vertex, const OpenMeshVec3f& normal) override { take(vertex, toVec(normal), pendingNormals_, vertexNormals); }
-  void set_normal(VertexHandle vertex, const Vec3d& normal) override { set_normal(vertex, OpenMeshVec3f(normal)); }
+  void set_normal(VertexHandle vertex, const OpenMeshVec3f& normal) override {
+    take(vertex, toVec(normal), pendingNormals_, vertexNormals);
+  }
+  void set_normal(VertexHandle vertex, const Vec3d& normal) override {
+    set_normal(vertex, OpenMeshVec3f(normal));
+  }
   void set_texcoord(VertexHandle vertex, const Vec2f& texture) override {
     take(vertex, toVec(texture), pendingTexture_, vertexTextureCoordinates);
   }
@@ -128,7 +140,8 @@ class ArrayImporter final : public OpenMesh::IO::BaseImporter {
     perVertex[indexOf(vertex)] = value;
   }
 
-  // Moves what was collected for a face to its corners. The array stays empty until the first face that has any.
+  // Moves what was collected for a face to its corners. The array stays empty until the first face that has
+  // any.
   template <typename T>
   void flush(std::vector<T>& pending, std::size_t corners, std::vector<T>& perCorner) {
     if (pending.size() == corners) {
@@ -146,10 +159,12 @@ class ArrayImporter final : public OpenMesh::IO::BaseImporter {
 };
 
 template <typename T>
-void spreadToCorners(const std::vector<T>& perVertex, const std::vector<std::uint32_t>& corners, std::vector<T>& perCorner) {
+void spreadToCorners(const std::vector<T>& perVertex, const std::vector<std::uint32_t>& corners,
+                     std::vector<T>& perCorner) {
   if (perVertex.empty()) return;
   perCorner.reserve(corners.size());
-  for (const std::uint32_t corner : corners) perCorner.push_back(corner < perVertex.size() ? perVertex[corner] : T{});
+  for (const std::uint32_t corner : corners)
+    perCorner.push_back(corner < perVertex.size() ? perVertex[corner] : T{});
 }
 
 // OpenMesh parses numbers with streams of its own, which follow the global locale.
@@ -185,21 +200,27 @@ RawMesh importWithOpenMesh(const std::string& path, CanonicalFile& file) {
   RawMesh mesh = std::move(importer.mesh);
   const bool welded = file.extension == "stl";  // its vertices are not known before OpenMesh welds them
   if (!understood || mesh.faceCount() != file.faces || (!welded && mesh.positions.size() != file.vertices)) {
-    throw Error(path, "OpenMesh delivered " + std::to_string(mesh.positions.size()) + " vertices and " + std::to_string(mesh.faceCount()) +
-                          " faces of " + std::to_string(file.vertices) + " and " + std::to_string(file.faces), "export the mesh again");
+    throw Error(path,
+                "OpenMesh delivered " + std::to_string(mesh.positions.size()) + " vertices and " +
+                    std::to_string(mesh.faceCount()) + " faces of " + std::to_string(file.vertices) +
+                    " and " + std::to_string(file.faces),
+                "export the mesh again");
   }
   const std::size_t own = mesh.positions.size() - file.duplicateOf.size();
-  for (std::size_t i = 0; i < file.duplicateOf.size(); ++i) mesh.positions[own + i] = mesh.positions[file.duplicateOf[i]];
+  for (std::size_t i = 0; i < file.duplicateOf.size(); ++i)
+    mesh.positions[own + i] = mesh.positions[file.duplicateOf[i]];
   const auto copyDuplicates = [&](auto& perVertex) {
     if (perVertex.empty()) return;
     perVertex.resize(mesh.positions.size());
-    for (std::size_t i = 0; i < file.duplicateOf.size(); ++i) perVertex[own + i] = perVertex[file.duplicateOf[i]];
+    for (std::size_t i = 0; i < file.duplicateOf.size(); ++i)
+      perVertex[own + i] = perVertex[file.duplicateOf[i]];
   };
   copyDuplicates(importer.vertexNormals);
   copyDuplicates(importer.vertexTextureCoordinates);
   spreadToCorners(importer.vertexNormals, mesh.corners, mesh.cornerNormals);
   spreadToCorners(importer.vertexTextureCoordinates, mesh.corners, mesh.cornerTextureCoordinates);
-  if (!file.cornerTextureCoordinates.empty()) mesh.cornerTextureCoordinates = std::move(file.cornerTextureCoordinates);
+  if (!file.cornerTextureCoordinates.empty())
+    mesh.cornerTextureCoordinates = std::move(file.cornerTextureCoordinates);
   // Faces after the last one that had any are without.
   if (!mesh.cornerNormals.empty()) mesh.cornerNormals.resize(mesh.corners.size());
   if (!mesh.cornerTextureCoordinates.empty()) mesh.cornerTextureCoordinates.resize(mesh.corners.size());

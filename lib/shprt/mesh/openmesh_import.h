@@ -7,8 +7,8 @@
 
 namespace shprt {
 
-// Parses a canonical file and checks that everything in it arrived; consumes file.bytes. path is for messages. Throws Error
-// when OpenMesh delivers something else than the preflight counted.
+// Parses a canonical file and checks that everything in it arrived; consumes file.bytes. path is for
+// messages. Throws Error when OpenMesh delivers something else than the preflight counted.
 RawMesh importWithOpenMesh(const std::string& path, CanonicalFile& file);
 
 }  // namespace shprt

@@ -16,11 +16,22 @@ namespace shprt {
 namespace {
 
 std::optional<PlyType> parseType(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, PlyType>, 16> kNames = {{
-      {"char", PlyType::kInt8}, {"int8", PlyType::kInt8}, {"uchar", PlyType::kUint8}, {"uint8", PlyType::kUint8},
-      {"short", PlyType::kInt16}, {"int16", PlyType::kInt16}, {"ushort", PlyType::kUint16}, {"uint16", PlyType::kUint16},
-      {"int", PlyType::kInt32}, {"int32", PlyType::kInt32}, {"uint", PlyType::kUint32}, {"uint32", PlyType::kUint32},
-      {"float", PlyType::kFloat32}, {"float32", PlyType::kFloat32}, {"double", PlyType::kFloat64}, {"float64", PlyType::kFloat64}}};
+  constexpr std::array<std::pair<std::string_view, PlyType>, 16> kNames = {{{"char", PlyType::kInt8},
+                                                                            {"int8", PlyType::kInt8},
+                                                                            {"uchar", PlyType::kUint8},
+                                                                            {"uint8", PlyType::kUint8},
+                                                                            {"short", PlyType::kInt16},
+                                                                            {"int16", PlyType::kInt16},
+                                                                            {"ushort", PlyType::kUint16},
+                                                                            {"uint16", PlyType::kUint16},
+                                                                            {"int", PlyType::kInt32},
+                                                                            {"int32", PlyType::kInt32},
+                                                                            {"uint", PlyType::kUint32},
+                                                                            {"uint32", PlyType::kUint32},
+                                                                            {"float", PlyType::kFloat32},
+                                                                            {"float32", PlyType::kFloat32},
+                                                                            {"double", PlyType::kFloat64},
+                                                                            {"float64", PlyType::kFloat64}}};
   for (const auto& [spelling, type] : kNames) {
     if (spelling == name) return type;
   }
@@ -30,26 +41,40 @@ std::optional<PlyType> parseType(std::string_view name) {
 std::size_t byteSize(PlyType type) {
   switch (type) {
     case PlyType::kInt8:
-    case PlyType::kUint8: return 1;
+    case PlyType::kUint8:
+      return 1;
     case PlyType::kInt16:
-    case PlyType::kUint16: return 2;
-    case PlyType::kFloat64: return 8;
-    default: return 4;
+    case PlyType::kUint16:
+      return 2;
+    case PlyType::kFloat64:
+      return 8;
+    default:
+      return 4;
   }
 }
 
-bool isInteger(PlyType type) { return type != PlyType::kFloat32 && type != PlyType::kFloat64; }
+bool isInteger(PlyType type) {
+  return type != PlyType::kFloat32 && type != PlyType::kFloat64;
+}
 
 double decode(std::uint64_t bits, PlyType type) {
   switch (type) {
-    case PlyType::kInt8: return static_cast<std::int8_t>(bits);
-    case PlyType::kUint8: return static_cast<std::uint8_t>(bits);
-    case PlyType::kInt16: return static_cast<std::int16_t>(bits);
-    case PlyType::kUint16: return static_cast<std::uint16_t>(bits);
-    case PlyType::kInt32: return static_cast<std::int32_t>(bits);
-    case PlyType::kUint32: return static_cast<std::uint32_t>(bits);
-    case PlyType::kFloat32: return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    case PlyType::kFloat64: return std::bit_cast<double>(bits);
+    case PlyType::kInt8:
+      return static_cast<std::int8_t>(bits);
+    case PlyType::kUint8:
+      return static_cast<std::uint8_t>(bits);
+    case PlyType::kInt16:
+      return static_cast<std::int16_t>(bits);
+    case PlyType::kUint16:
+      return static_cast<std::uint16_t>(bits);
+    case PlyType::kInt32:
+      return static_cast<std::int32_t>(bits);
+    case PlyType::kUint32:
+      return static_cast<std::uint32_t>(bits);
+    case PlyType::kFloat32:
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    case PlyType::kFloat64:
+      return std::bit_cast<double>(bits);
   }
   return 0;
 }
@@ -63,7 +88,9 @@ int PlyElement::find(std::string_view property) const {
   return -1;
 }
 
-void PlyReader::fail(const std::string& problem) const { throw Error(path_, problem, "export the mesh again"); }
+void PlyReader::fail(const std::string& problem) const {
+  throw Error(path_, problem, "export the mesh again");
+}
 
 PlyReader::PlyReader(std::string_view bytes, std::string path) : bytes_(bytes), path_(std::move(path)) {
   readHeader();
@@ -73,8 +100,8 @@ PlyReader::PlyReader(std::string_view bytes, std::string path) : bytes_(bytes), 
       smallest += ascii() ? 2 : byteSize(property.list ? property.countType : property.type);
     }
     if (element.count > bytes_.size() / std::max<std::uint64_t>(smallest, 1) + 1) {
-      fail("claims " + std::to_string(element.count) + " records of '" + element.name + "', more than its " + std::to_string(bytes_.size()) +
-           " bytes can hold");
+      fail("claims " + std::to_string(element.count) + " records of '" + element.name + "', more than its " +
+           std::to_string(bytes_.size()) + " bytes can hold");
     }
   }
 }
@@ -91,10 +118,14 @@ void PlyReader::readHeader() {
     if (keyword == "format") {
       const std::string_view name = takeToken(line);
       hasFormat = true;
-      if (name == "ascii") encoding_ = Encoding::kAscii;
-      else if (name == "binary_little_endian") encoding_ = Encoding::kLittle;
-      else if (name == "binary_big_endian") encoding_ = Encoding::kBig;
-      else fail("has the unknown format '" + shownToken(name) + "'");
+      if (name == "ascii")
+        encoding_ = Encoding::kAscii;
+      else if (name == "binary_little_endian")
+        encoding_ = Encoding::kLittle;
+      else if (name == "binary_big_endian")
+        encoding_ = Encoding::kBig;
+      else
+        fail("has the unknown format '" + shownToken(name) + "'");
     } else if (keyword == "element") {
       PlyElement element;
       element.name = shownToken(takeToken(line));
@@ -108,7 +139,8 @@ void PlyReader::readHeader() {
       if (type == "list") {
         property.list = true;
         const auto countType = parseType(takeToken(line));
-        if (!countType || !isInteger(*countType)) fail("header line '" + shownToken(shown) + "' has no integer type for its count");
+        if (!countType || !isInteger(*countType))
+          fail("header line '" + shownToken(shown) + "' has no integer type for its count");
         property.countType = *countType;
         type = takeToken(line);
       }
@@ -126,7 +158,8 @@ void PlyReader::readHeader() {
 
 double PlyReader::readValue(PlyType type) {
   if (ascii()) {
-    while (!bytes_.empty() && (isBlank(bytes_.front()) || bytes_.front() == '\n' || bytes_.front() == '\r')) bytes_.remove_prefix(1);
+    while (!bytes_.empty() && (isBlank(bytes_.front()) || bytes_.front() == '\n' || bytes_.front() == '\r'))
+      bytes_.remove_prefix(1);
     const std::size_t length = std::min(bytes_.size(), bytes_.find_first_of(" \t\v\f\r\n"));
     if (length == 0) throw std::out_of_range("the file ends");
     const std::optional<double> value = parseNumber(bytes_.substr(0, length));
@@ -145,7 +178,8 @@ double PlyReader::readValue(PlyType type) {
   return decode(bits, type);
 }
 
-void PlyReader::readRecord(const PlyElement& element, std::uint64_t record, std::vector<std::vector<double>>& values) {
+void PlyReader::readRecord(const PlyElement& element, std::uint64_t record,
+                           std::vector<std::vector<double>>& values) {
   values.resize(element.properties.size());
   try {
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -154,7 +188,8 @@ void PlyReader::readRecord(const PlyElement& element, std::uint64_t record, std:
       if (property.list) {
         const double claimed = readValue(property.countType);
         const std::uint64_t smallest = ascii() ? 1 : byteSize(property.type);
-        if (!(claimed >= 0) || claimed > static_cast<double>(bytes_.size() / smallest)) throw std::out_of_range("a list claims more values than the file holds");
+        if (!(claimed >= 0) || claimed > static_cast<double>(bytes_.size() / smallest))
+          throw std::out_of_range("a list claims more values than the file holds");
         count = static_cast<std::uint64_t>(claimed);
       }
       values[p].clear();
@@ -162,7 +197,8 @@ void PlyReader::readRecord(const PlyElement& element, std::uint64_t record, std:
     }
     if (ascii() && !trimBlanks(takeLine(bytes_)).empty()) ++overlongLines_;
   } catch (const std::out_of_range& problem) {
-    fail("claims " + std::to_string(element.count) + " records of '" + element.name + "'; in record " + std::to_string(record) + " " + problem.what());
+    fail("claims " + std::to_string(element.count) + " records of '" + element.name + "'; in record " +
+         std::to_string(record) + " " + problem.what());
   }
 }
 

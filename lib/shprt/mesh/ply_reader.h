@@ -28,17 +28,17 @@ struct PlyElement {
 
 class PlyReader {
  public:
-  // Reads the header; bytes must outlive the reader. path is for messages. Throws Error when the header makes no sense
-  // or claims more records than the bytes can hold.
+  // Reads the header; bytes must outlive the reader. path is for messages. Throws Error when the header makes
+  // no sense or claims more records than the bytes can hold.
   PlyReader(std::string_view bytes, std::string path);
 
   const std::vector<PlyElement>& elements() const { return elements_; }
   bool ascii() const { return encoding_ == Encoding::kAscii; }
   std::uint64_t overlongLines() const { return overlongLines_; }
 
-  // The next record of the element that is due: values[property] has one value, or a list's values. Throws Error, naming
-  // element and record, at the end of the bytes or at a token that is no number. In ASCII a record ends with its line: what
-  // the header does not announce is passed over, and counted.
+  // The next record of the element that is due: values[property] has one value, or a list's values. Throws
+  // Error, naming element and record, at the end of the bytes or at a token that is no number. In ASCII a
+  // record ends with its line: what the header does not announce is passed over, and counted.
   void readRecord(const PlyElement& element, std::uint64_t record, std::vector<std::vector<double>>& values);
 
  private:

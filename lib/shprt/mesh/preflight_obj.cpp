@@ -1,4 +1,5 @@
-// Wavefront OBJ: every line is judged, indices are made absolute and checked, faces get their material's number.
+// Wavefront OBJ: every line is judged, indices are made absolute and checked, faces get their material's
+// number.
 
 #include <array>
 #include <map>
@@ -13,7 +14,8 @@
 namespace shprt {
 namespace {
 
-// One corner "v/vt/vn": indices from 0; kNone where the file gives none, kBad where it gives one that cannot be read.
+// One corner "v/vt/vn": indices from 0; kNone where the file gives none, kBad where it gives one that cannot
+// be read.
 constexpr std::int32_t kNone = -1, kBad = -2;
 
 struct Corner {
@@ -29,8 +31,8 @@ class ObjPreflight {
 
   CanonicalFile run(std::string bytes) {
     std::string_view text = bytes;
-    // Address space for the most that can come, of which only what is used becomes memory; growing by doubling would hold large
-    // files' records twice.
+    // Address space for the most that can come, of which only what is used becomes memory; growing by
+    // doubling would hold large files' records twice.
     for (std::string* part : {&positions_, &textures_, &normals_}) part->reserve(bytes.size() / 2);
     corners_.reserve(bytes.size() / 4);
     const std::size_t size = bytes.size();
@@ -121,7 +123,8 @@ class ObjPreflight {
   }
 
   void readFace(std::string_view line) {
-    for (std::string_view token = takeToken(line); !token.empty() && token.front() != '#'; token = takeToken(line)) {
+    for (std::string_view token = takeToken(line); !token.empty() && token.front() != '#';
+         token = takeToken(line)) {
       corners_.push_back(readCorner(token));
     }
     faceEnds_.push_back(corners_.size());
@@ -135,7 +138,8 @@ class ObjPreflight {
     if (slash == std::string_view::npos) return corner;
     token.remove_prefix(slash + 1);
     const std::size_t second = token.find('/');
-    if (second != 0 && !token.empty()) corner.texture = readIndex(token.substr(0, second), usableTexture_.size());
+    if (second != 0 && !token.empty())
+      corner.texture = readIndex(token.substr(0, second), usableTexture_.size());
     if (second == std::string_view::npos || second + 1 == token.size()) return corner;
     corner.normal = readIndex(token.substr(second + 1), usableNormal_.size());
     return corner;
@@ -151,7 +155,8 @@ class ObjPreflight {
   }
 
   void useMaterial(std::string_view name) {
-    const auto [entry, fresh] = materialNumbers_.try_emplace(std::string(name), static_cast<std::uint32_t>(file_.materials.size()));
+    const auto [entry, fresh] =
+        materialNumbers_.try_emplace(std::string(name), static_cast<std::uint32_t>(file_.materials.size()));
     if (fresh) {
       file_.materials.emplace_back();
       file_.materials.back().name = entry->first;
@@ -164,8 +169,11 @@ class ObjPreflight {
     if (readLibrary(names)) return;
     bool any = false;
     std::string_view rest = names;
-    for (std::string_view name = takeToken(rest); !name.empty(); name = takeToken(rest)) any = readLibrary(name) || any;
-    if (!any) file_.report.notes.push_back("material file '" + shownToken(names) + "' not found; default albedo used");
+    for (std::string_view name = takeToken(rest); !name.empty(); name = takeToken(rest))
+      any = readLibrary(name) || any;
+    if (!any)
+      file_.report.notes.push_back("material file '" + shownToken(names) +
+                                   "' not found; default albedo used");
   }
 
   bool readLibrary(std::string_view name) {
@@ -183,8 +191,8 @@ class ObjPreflight {
   void writeFaces(std::size_t sourceBytes) {
     file_.report.sourceVertices = positionCount_;
     if (!file_.unusableVertex.empty()) file_.unusableVertex.resize(positionCount_, false);
-    // Attributes are moved over one after another; vertices that the filter appends come after the faces, which OpenMesh
-    // reads in a second pass.
+    // Attributes are moved over one after another; vertices that the filter appends come after the faces,
+    // which OpenMesh reads in a second pass.
     std::string& out = file_.bytes;
     out.reserve(sourceBytes + sourceBytes / 2);
     for (std::string* part : {&positions_, &textures_, &normals_}) {
@@ -227,23 +235,31 @@ class ObjPreflight {
   }
 
   static bool isUsable(std::int64_t index, const std::vector<bool>& usable) {
-    return index >= 0 && index < static_cast<std::int64_t>(usable.size()) && usable[static_cast<std::size_t>(index)];
+    return index >= 0 && index < static_cast<std::int64_t>(usable.size()) &&
+           usable[static_cast<std::size_t>(index)];
   }
 
   void finishReport() {
     for (Material& material : file_.materials) {
       const auto found = library_.find(material.name);
       if (found == library_.end()) {
-        if (!material.name.empty()) file_.report.notes.push_back("material '" + shownToken(material.name) + "' is defined nowhere; default albedo used");
+        if (!material.name.empty())
+          file_.report.notes.push_back("material '" + shownToken(material.name) +
+                                       "' is defined nowhere; default albedo used");
         continue;
       }
       material = found->second;
       if (!material.diffuseTexture.empty()) {
-        file_.report.notes.push_back("texture '" + shownToken(material.diffuseTexture) + "' of material '" + shownToken(material.name) + "' is not sampled yet; its Kd is used");
+        file_.report.notes.push_back("texture '" + shownToken(material.diffuseTexture) + "' of material '" +
+                                     shownToken(material.name) + "' is not sampled yet; its Kd is used");
       }
     }
-    if (colouredVertices_) file_.report.notes.push_back("colours of " + countOf(colouredVertices_, "vertex", "vertices") + " ignored");
-    if (badAttributes_) file_.report.notes.push_back("some faces name texture coordinates or normals that cannot be read; they were left without");
+    if (colouredVertices_)
+      file_.report.notes.push_back("colours of " + countOf(colouredVertices_, "vertex", "vertices") +
+                                   " ignored");
+    if (badAttributes_)
+      file_.report.notes.push_back(
+          "some faces name texture coordinates or normals that cannot be read; they were left without");
     for (const auto& [keyword, count] : ignoredLines_) {
       file_.report.notes.push_back(countOf(count, "line") + " '" + keyword + "' ignored");
       if (file_.report.notes.size() > 50) break;  // a file of garbage has no end of keywords
@@ -267,6 +283,8 @@ class ObjPreflight {
 
 }  // namespace
 
-CanonicalFile preflightObj(const std::filesystem::path& path, std::string bytes) { return ObjPreflight(path).run(std::move(bytes)); }
+CanonicalFile preflightObj(const std::filesystem::path& path, std::string bytes) {
+  return ObjPreflight(path).run(std::move(bytes));
+}
 
 }  // namespace shprt

@@ -1,5 +1,6 @@
-// Object File Format, ASCII and binary: counts are checked against what is there, and the canonical file is plain ASCII OFF
-// with positions, normals and polygons only (comments, counts on the header line and face colours mislead OpenMesh).
+// Object File Format, ASCII and binary: counts are checked against what is there, and the canonical file is
+// plain ASCII OFF with positions, normals and polygons only (comments, counts on the header line and face
+// colours mislead OpenMesh).
 
 #include <bit>
 #include <cstring>
@@ -31,7 +32,8 @@ class OffPreflight {
       readAscii();
     }
     file_.vertices = vertexCount_ + file_.duplicateOf.size();
-    for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i) positions_ += header_.normal ? "0 0 0 0 0 0\n" : "0 0 0\n";
+    for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i)
+      positions_ += header_.normal ? "0 0 0 0 0 0\n" : "0 0 0\n";
     file_.bytes = header_.normal ? "NOFF\n" : "OFF\n";
     appendInteger(file_.bytes, static_cast<long long>(file_.vertices));
     appendInteger(file_.bytes += ' ', static_cast<long long>(file_.faces));
@@ -43,7 +45,8 @@ class OffPreflight {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem, const std::string& remedy = "export the mesh again") const {
+  [[noreturn]] void fail(const std::string& problem,
+                         const std::string& remedy = "export the mesh again") const {
     throw Error(path_, problem, remedy);
   }
 
@@ -71,7 +74,8 @@ class OffPreflight {
     header_.texture = take("ST");
     header_.colour = take("C");
     header_.normal = take("N");
-    if (!prefix.empty()) fail("has the header '" + shownToken(prefix) + "OFF', which is no mesh in three dimensions");
+    if (!prefix.empty())
+      fail("has the header '" + shownToken(prefix) + "OFF', which is no mesh in three dimensions");
     std::string_view rest = line;
     if (takeToken(rest) == "BINARY") {
       header_.binary = true;
@@ -89,17 +93,19 @@ class OffPreflight {
   }
 
   // Each vertex and face takes at least so many bytes.
-  void setCounts(std::uint64_t vertices, std::uint64_t faces, std::uint64_t bytesPerVertex, std::uint64_t bytesPerFace) {
+  void setCounts(std::uint64_t vertices, std::uint64_t faces, std::uint64_t bytesPerVertex,
+                 std::uint64_t bytesPerFace) {
     if (vertices > text_.size() / bytesPerVertex + 1 || faces > text_.size() / bytesPerFace + 1) {
-      fail("claims " + countOf(vertices, "vertex", "vertices") + " and " + countOf(faces, "face") + ", more than its " +
-           std::to_string(text_.size()) + " bytes can hold");
+      fail("claims " + countOf(vertices, "vertex", "vertices") + " and " + countOf(faces, "face") +
+           ", more than its " + std::to_string(text_.size()) + " bytes can hold");
     }
     vertexCount_ = vertices;
     faceCount_ = faces;
     file_.report.sourceVertices = vertices;
   }
 
-  void addVertex(std::uint64_t index, const std::optional<float>* position, const std::optional<float>* normal) {
+  void addVertex(std::uint64_t index, const std::optional<float>* position,
+                 const std::optional<float>* normal) {
     const bool usable = position[0] && position[1] && position[2];
     if (!usable) {
       file_.unusableVertex.resize(vertexCount_, false);
@@ -125,7 +131,9 @@ class OffPreflight {
   void readAscii() {
     for (std::uint64_t i = 0; i < vertexCount_; ++i) {
       std::string_view line = nextLine();
-      if (line.empty()) fail("claims " + countOf(vertexCount_, "vertex", "vertices") + ", the file ends after " + std::to_string(i));
+      if (line.empty())
+        fail("claims " + countOf(vertexCount_, "vertex", "vertices") + ", the file ends after " +
+             std::to_string(i));
       std::optional<float> numbers[6];
       const int needed = header_.normal ? 6 : 3;
       for (int k = 0; k < needed; ++k) {
@@ -139,10 +147,12 @@ class OffPreflight {
     FaceFilter filter(vertexCount_, file_);
     for (std::uint64_t i = 0; i < faceCount_; ++i) {
       std::string_view line = nextLine();
-      if (line.empty()) fail("claims " + countOf(faceCount_, "face") + ", the file ends after " + std::to_string(i));
+      if (line.empty())
+        fail("claims " + countOf(faceCount_, "face") + ", the file ends after " + std::to_string(i));
       const std::string_view first = takeToken(line);
       const auto count = parseInteger<std::uint64_t>(first);
-      if (!count) fail("face " + std::to_string(i) + " begins with '" + shownToken(first) + "' instead of a count");
+      if (!count)
+        fail("face " + std::to_string(i) + " begins with '" + shownToken(first) + "' instead of a count");
       corners_.clear();
       for (std::uint64_t k = 0; k < *count; ++k) {
         const std::string_view token = takeToken(line);
@@ -154,16 +164,18 @@ class OffPreflight {
     }
   }
 
-  // Binary OFF is written in either byte order, with or without colour counts after each face; the layout that uses up the
-  // file exactly is the one.
+  // Binary OFF is written in either byte order, with or without colour counts after each face; the layout
+  // that uses up the file exactly is the one.
   void readBinary() {
-    if (header_.texture || header_.colour) fail("is a binary OFF with colours or texture coordinates", "save it as ASCII OFF or PLY");
+    if (header_.texture || header_.colour)
+      fail("is a binary OFF with colours or texture coordinates", "save it as ASCII OFF or PLY");
     const std::string_view body = text_;
     for (const bool swapped : {false, true})
       for (const bool colourCounts : {false, true}) {
         if (fitsBinary(body, swapped, colourCounts)) return loadBinary(body, swapped, colourCounts);
       }
-    fail("is a binary OFF whose size does not fit its counts: truncated, or another variant", "save it as ASCII OFF or PLY");
+    fail("is a binary OFF whose size does not fit its counts: truncated, or another variant",
+         "save it as ASCII OFF or PLY");
   }
 
   static std::uint32_t wordAt(std::string_view bytes, std::size_t offset, bool swapped) {
@@ -174,7 +186,8 @@ class OffPreflight {
 
   // Calls visit(offset of the first index, count) for each face; false when the bytes do not fit.
   template <typename Visit>
-  static bool walkFaces(std::string_view body, std::size_t offset, std::uint64_t faces, bool swapped, bool colourCounts, const Visit& visit) {
+  static bool walkFaces(std::string_view body, std::size_t offset, std::uint64_t faces, bool swapped,
+                        bool colourCounts, const Visit& visit) {
     for (std::uint64_t f = 0; f < faces; ++f) {
       if (body.size() - offset < 4) return false;
       const std::uint32_t count = wordAt(body, offset, swapped);
@@ -198,7 +211,8 @@ class OffPreflight {
     if (body.size() < 12) return false;
     const std::uint64_t vertices = wordAt(body, 0, swapped), faces = wordAt(body, 4, swapped);
     if (vertices > (body.size() - 12) / bytesPerVertex()) return false;
-    return walkFaces(body, 12 + vertices * bytesPerVertex(), faces, swapped, colourCounts, [](std::size_t, std::uint32_t) {});
+    return walkFaces(body, 12 + vertices * bytesPerVertex(), faces, swapped, colourCounts,
+                     [](std::size_t, std::uint32_t) {});
   }
 
   void loadBinary(std::string_view body, bool swapped, bool colourCounts) {
@@ -209,15 +223,19 @@ class OffPreflight {
     };
     for (std::uint64_t i = 0; i < vertexCount_; ++i) {
       std::optional<float> numbers[6];
-      for (std::size_t k = 0; k < bytesPerVertex() / 4; ++k) numbers[k] = floatAt(12 + i * bytesPerVertex() + 4 * k);
+      for (std::size_t k = 0; k < bytesPerVertex() / 4; ++k)
+        numbers[k] = floatAt(12 + i * bytesPerVertex() + 4 * k);
       addVertex(i, numbers, header_.normal ? numbers + 3 : nullptr);
     }
     FaceFilter filter(vertexCount_, file_);
-    walkFaces(body, 12 + vertexCount_ * bytesPerVertex(), faceCount_, swapped, colourCounts, [&](std::size_t offset, std::uint32_t count) {
-      corners_.clear();
-      for (std::uint32_t k = 0; k < count; ++k) corners_.push_back(static_cast<std::int32_t>(wordAt(body, offset + 4 * std::size_t{k}, swapped)));
-      addFace(filter);
-    });
+    walkFaces(
+        body, 12 + vertexCount_ * bytesPerVertex(), faceCount_, swapped, colourCounts,
+        [&](std::size_t offset, std::uint32_t count) {
+          corners_.clear();
+          for (std::uint32_t k = 0; k < count; ++k)
+            corners_.push_back(static_cast<std::int32_t>(wordAt(body, offset + 4 * std::size_t{k}, swapped)));
+          addFace(filter);
+        });
   }
 
   std::string path_;
@@ -232,6 +250,8 @@ class OffPreflight {
 
 }  // namespace
 
-CanonicalFile preflightOff(const std::filesystem::path& path, std::string bytes) { return OffPreflight(path, bytes).run(); }
+CanonicalFile preflightOff(const std::filesystem::path& path, std::string bytes) {
+  return OffPreflight(path, bytes).run();
+}
 
 }  // namespace shprt

@@ -1,6 +1,7 @@
-// Stanford PLY in its three encodings: the canonical file is little-endian with positions, normals and texture coordinates
-// per vertex and one index list per face, in this order. Triangle strips are unrolled, and texture coordinates that belong to
-// faces are handed over beside the file, because OpenMesh's PLY parser misreads them.
+// Stanford PLY in its three encodings: the canonical file is little-endian with positions, normals and
+// texture coordinates per vertex and one index list per face, in this order. Triangle strips are unrolled,
+// and texture coordinates that belong to faces are handed over beside the file, because OpenMesh's PLY parser
+// misreads them.
 
 #include <bit>
 #include <cmath>
@@ -17,11 +18,14 @@ namespace {
 void appendBytes(std::string& bytes, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 255);
 }
-void appendBytes(std::string& bytes, float value) { appendBytes(bytes, std::bit_cast<std::uint32_t>(value)); }
+void appendBytes(std::string& bytes, float value) {
+  appendBytes(bytes, std::bit_cast<std::uint32_t>(value));
+}
 
 class PlyPreflight {
  public:
-  PlyPreflight(const std::filesystem::path& path, std::string_view bytes) : path_(path.string()), reader_(bytes, path_) {
+  PlyPreflight(const std::filesystem::path& path, std::string_view bytes)
+      : path_(path.string()), reader_(bytes, path_) {
     file_.extension = "ply";
     file_.binary = true;
     file_.report.format = reader_.ascii() ? "PLY ascii" : "PLY binary";
@@ -35,7 +39,8 @@ class PlyPreflight {
       } else if (element.name == "face" || element.name == "tristrips") {
         prepareFaces(element);
       } else {
-        file_.report.notes.push_back("element '" + element.name + "' (" + countOf(element.count, "record") + ") ignored");
+        file_.report.notes.push_back("element '" + element.name + "' (" + countOf(element.count, "record") +
+                                     ") ignored");
       }
       for (std::uint64_t record = 0; record < element.count; ++record) {
         reader_.readRecord(element, record, values);
@@ -44,7 +49,9 @@ class PlyPreflight {
         if (element.name == "tristrips") addStrips(values);
       }
     }
-    if (reader_.overlongLines()) file_.report.notes.push_back("values beyond the header on " + countOf(reader_.overlongLines(), "line") + " ignored");
+    if (reader_.overlongLines())
+      file_.report.notes.push_back("values beyond the header on " + countOf(reader_.overlongLines(), "line") +
+                                   " ignored");
     if (!haveVertices_) throw Error(path_, "has no element 'vertex'", "give a mesh");
     write();
     return std::move(file_);
@@ -63,10 +70,13 @@ class PlyPreflight {
       }
       return !columns.empty();
     };
-    if (!locate({"x", "y", "z"}, position_)) throw Error(path_, "element 'vertex' has no x, y and z", "give a mesh");
+    if (!locate({"x", "y", "z"}, position_))
+      throw Error(path_, "element 'vertex' has no x, y and z", "give a mesh");
     locate({"nx", "ny", "nz"}, normal_);
-    locate({"s", "t"}, texture_) || locate({"u", "v"}, texture_) || locate({"texture_u", "texture_v"}, texture_);
-    if (element.find("red") >= 0 || element.find("diffuse_red") >= 0) file_.report.notes.push_back("vertex colours ignored");
+    locate({"s", "t"}, texture_) || locate({"u", "v"}, texture_) ||
+        locate({"texture_u", "texture_v"}, texture_);
+    if (element.find("red") >= 0 || element.find("diffuse_red") >= 0)
+      file_.report.notes.push_back("vertex colours ignored");
   }
 
   void prepareFaces(const PlyElement& element) {
@@ -76,7 +86,8 @@ class PlyPreflight {
       throw Error(path_, "element '" + element.name + "' has no list vertex_indices", "give a mesh");
     }
     faceTexture_ = element.find("texcoord");
-    if (faceTexture_ >= 0 && !element.properties[static_cast<std::size_t>(faceTexture_)].list) faceTexture_ = -1;
+    if (faceTexture_ >= 0 && !element.properties[static_cast<std::size_t>(faceTexture_)].list)
+      faceTexture_ = -1;
   }
 
   void addVertex(std::uint64_t record, const std::vector<std::vector<double>>& values) {
@@ -142,17 +153,22 @@ class PlyPreflight {
 
   void write() {
     file_.report.sourceVertices = vertexCount_;
-    if (faceTexture_ >= 0 && !perCorner_) file_.report.notes.push_back("texture coordinates of faces do not match their corners; ignored");
+    if (faceTexture_ >= 0 && !perCorner_)
+      file_.report.notes.push_back("texture coordinates of faces do not match their corners; ignored");
     std::string faces;
     FaceFilter filter(vertexCount_, file_);
     std::vector<std::int64_t> indices;
     std::size_t begin = 0;
     for (const std::size_t end : faceEnds_) {
-      indices.assign(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.begin() + static_cast<std::ptrdiff_t>(end));
+      indices.assign(corners_.begin() + static_cast<std::ptrdiff_t>(begin),
+                     corners_.begin() + static_cast<std::ptrdiff_t>(end));
       if (filter.keep(indices)) {
         appendBytes(faces, static_cast<std::uint32_t>(indices.size()));
         for (const std::int64_t index : indices) appendBytes(faces, static_cast<std::uint32_t>(index));
-        if (perCorner_) file_.cornerTextureCoordinates.insert(file_.cornerTextureCoordinates.end(), cornerTexture_.begin() + static_cast<std::ptrdiff_t>(begin), cornerTexture_.begin() + static_cast<std::ptrdiff_t>(end));
+        if (perCorner_)
+          file_.cornerTextureCoordinates.insert(file_.cornerTextureCoordinates.end(),
+                                                cornerTexture_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                cornerTexture_.begin() + static_cast<std::ptrdiff_t>(end));
         ++file_.faces;
       }
       begin = end;
@@ -189,6 +205,8 @@ class PlyPreflight {
 
 }  // namespace
 
-CanonicalFile preflightPly(const std::filesystem::path& path, std::string bytes) { return PlyPreflight(path, bytes).run(); }
+CanonicalFile preflightPly(const std::filesystem::path& path, std::string bytes) {
+  return PlyPreflight(path, bytes).run();
+}
 
 }  // namespace shprt

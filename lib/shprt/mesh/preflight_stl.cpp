@@ -1,4 +1,5 @@
-// STL, ASCII and binary: the canonical file is binary, without the triangles that OpenMesh's welding would choke on.
+// STL, ASCII and binary: the canonical file is binary, without the triangles that OpenMesh's welding would
+// choke on.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,9 @@ std::uint32_t claimedTriangles(std::string_view bytes) {
 // Some exporters begin binary files with "solid" too; only ASCII has the word "facet" soon after it.
 bool isAscii(std::string_view bytes) {
   if (!trimBlanks(bytes.substr(0, 512)).starts_with("solid")) return false;
-  if (bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + kTriangleBytes * std::uint64_t{claimedTriangles(bytes)}) return false;
+  if (bytes.size() >= kHeaderBytes &&
+      bytes.size() == kHeaderBytes + kTriangleBytes * std::uint64_t{claimedTriangles(bytes)})
+    return false;
   return bytes.find("facet") != std::string_view::npos || bytes.find("endsolid") != std::string_view::npos;
 }
 
@@ -38,10 +41,14 @@ std::vector<Vec3f> readAscii(std::string_view text, const std::string& path) {
     ++lineNumber;
     const std::string_view keyword = takeToken(line);
     if (keyword == "facet") {
-      if (!closed || corners.size() % 3 != 0) throw Error(path, "line " + std::to_string(lineNumber) + ": a facet begins inside another", "export the mesh again");
+      if (!closed || corners.size() % 3 != 0)
+        throw Error(path, "line " + std::to_string(lineNumber) + ": a facet begins inside another",
+                    "export the mesh again");
       closed = false;
     } else if (keyword == "endfacet") {
-      if (corners.size() % 3 != 0) throw Error(path, "line " + std::to_string(lineNumber) + ": a facet without three vertices", "export the mesh again");
+      if (corners.size() % 3 != 0)
+        throw Error(path, "line " + std::to_string(lineNumber) + ": a facet without three vertices",
+                    "export the mesh again");
       closed = true;
     } else if (keyword == "vertex") {
       float xyz[3];
@@ -53,12 +60,17 @@ std::vector<Vec3f> readAscii(std::string_view text, const std::string& path) {
   return corners;
 }
 
-std::vector<Vec3f> readBinary(std::string_view bytes, const std::string& path, std::vector<std::string>& notes) {
-  if (bytes.size() < kHeaderBytes) throw Error(path, "is too short to be an STL file", "export the mesh again");
-  const std::uint64_t claimed = claimedTriangles(bytes), room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
+std::vector<Vec3f> readBinary(std::string_view bytes, const std::string& path,
+                              std::vector<std::string>& notes) {
+  if (bytes.size() < kHeaderBytes)
+    throw Error(path, "is too short to be an STL file", "export the mesh again");
+  const std::uint64_t claimed = claimedTriangles(bytes),
+                      room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
   if (claimed > room) {
-    throw Error(path, "claims " + std::to_string(claimed) + " triangles, the file has room for " + std::to_string(room),
-                "it is truncated or no STL file");
+    throw Error(
+        path,
+        "claims " + std::to_string(claimed) + " triangles, the file has room for " + std::to_string(room),
+        "it is truncated or no STL file");
   }
   const std::uint64_t rest = bytes.size() - kHeaderBytes - claimed * kTriangleBytes;
   if (rest > 0) notes.push_back(countOf(rest, "byte") + " after the last triangle ignored");
@@ -78,7 +90,8 @@ CanonicalFile preflightStl(const std::filesystem::path& path, std::string bytes)
   MeshReport& report = file.report;
   const bool ascii = isAscii(bytes);
   report.format = ascii ? "STL ascii" : "STL binary";
-  const std::vector<Vec3f> corners = ascii ? readAscii(bytes, path.string()) : readBinary(bytes, path.string(), report.notes);
+  const std::vector<Vec3f> corners =
+      ascii ? readAscii(bytes, path.string()) : readBinary(bytes, path.string(), report.notes);
   report.sourceFaces = report.sourceTriangles = corners.size() / 3;
 
   const std::vector<std::uint32_t> ids = distinctPositionIds(corners);

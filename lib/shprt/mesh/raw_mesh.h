@@ -11,21 +11,21 @@
 
 namespace shprt {
 
-// A file rewritten for OpenMesh's parser, with what only the judging of the original can tell. Faces left out of
-// `bytes` are counted in report; vertices stay in place, unusable ones as zeros, so that no index shifts.
+// A file rewritten for OpenMesh's parser, with what only the judging of the original can tell. Faces left out
+// of `bytes` are counted in report; vertices stay in place, unusable ones as zeros, so that no index shifts.
 struct CanonicalFile {
   std::string bytes;
-  std::string extension;                        // of the dialect: "obj", "ply", "off", "stl"
+  std::string extension;  // of the dialect: "obj", "ply", "off", "stl"
   bool binary = false;
-  std::uint64_t vertices = 0;                   // that OpenMesh must deliver (STL: not known before it welds)
-  std::uint64_t faces = 0;                      // that OpenMesh must deliver
-  std::uint64_t corners = 0;                    // of all those faces together
-  std::vector<bool> unusableVertex;             // per vertex; empty when all are usable
-  std::vector<std::uint32_t> duplicateOf;       // vertices appended beyond the file's own: which one each repeats
+  std::uint64_t vertices = 0;              // that OpenMesh must deliver (STL: not known before it welds)
+  std::uint64_t faces = 0;                 // that OpenMesh must deliver
+  std::uint64_t corners = 0;               // of all those faces together
+  std::vector<bool> unusableVertex;        // per vertex; empty when all are usable
+  std::vector<std::uint32_t> duplicateOf;  // vertices appended beyond the file's own: which one each repeats
   std::vector<std::uint32_t> faceMaterials;     // per face, index into materials; empty when there are none
   std::vector<Vec2f> cornerTextureCoordinates;  // where the format's parser cannot deliver them; else empty
   std::vector<Material> materials;
-  std::vector<std::filesystem::path> sources;   // further files that were read
+  std::vector<std::filesystem::path> sources;  // further files that were read
   MeshReport report;
 };
 

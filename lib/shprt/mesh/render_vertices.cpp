@@ -33,7 +33,8 @@ Triangles cutFaces(const RawMesh& raw, std::span<const std::uint32_t> welded, Me
     local.clear();
     if (!triangulate(polygon, local)) ++cutAsConvex;
     for (const auto& [a, b, c] : local) {
-      const std::uint32_t pa = welded[raw.corners[begin + a]], pb = welded[raw.corners[begin + b]], pc = welded[raw.corners[begin + c]];
+      const std::uint32_t pa = welded[raw.corners[begin + a]], pb = welded[raw.corners[begin + b]],
+                          pc = welded[raw.corners[begin + c]];
       const bool repeated = pa == pb || pb == pc || pc == pa;
       if (repeated || areaDirection(polygon[a], polygon[b], polygon[c]) == Vec3d{}) {
         ++report.zeroAreaTriangles;
@@ -43,13 +44,16 @@ Triangles cutFaces(const RawMesh& raw, std::span<const std::uint32_t> welded, Me
       kept.faces.push_back(static_cast<std::uint32_t>(face));
     }
   }
-  if (cutAsConvex) report.notes.push_back(countOf(cutAsConvex, "concave polygon") + " with over 4096 corners cut as if convex");
+  if (cutAsConvex)
+    report.notes.push_back(countOf(cutAsConvex, "concave polygon") +
+                           " with over 4096 corners cut as if convex");
   return kept;
 }
 
 // The normal of each kept triangle corner: the file's where it is usable, else computed.
-std::vector<Vec3f> chooseNormals(const RawMesh& raw, const Triangles& kept, std::span<const std::uint32_t> welded,
-                                 double creaseAngleDegrees, bool recompute, MeshReport& report) {
+std::vector<Vec3f> chooseNormals(const RawMesh& raw, const Triangles& kept,
+                                 std::span<const std::uint32_t> welded, double creaseAngleDegrees,
+                                 bool recompute, MeshReport& report) {
   std::vector<Vec3f> normals(3 * kept.corners.size());
   std::uint64_t missing = normals.size();
   if (!recompute && !raw.cornerNormals.empty()) {
@@ -84,28 +88,42 @@ std::vector<Vec3f> chooseNormals(const RawMesh& raw, const Triangles& kept, std:
 
 }  // namespace
 
-Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double creaseAngleDegrees, bool recompute) {
+Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double creaseAngleDegrees,
+                        bool recompute) {
   Mesh mesh;
   mesh.report = file.report;
   const std::vector<std::uint32_t> welded = distinctPositionIds(raw.positions);
   const Triangles kept = cutFaces(raw, welded, mesh.report);
-  const std::vector<Vec3f> normals = chooseNormals(raw, kept, welded, creaseAngleDegrees, recompute, mesh.report);
+  const std::vector<Vec3f> normals =
+      chooseNormals(raw, kept, welded, creaseAngleDegrees, recompute, mesh.report);
   const bool textured = !raw.cornerTextureCoordinates.empty();
   const auto rawCorner = [&](std::size_t i) { return kept.corners[i / 3][i % 3]; };
-  const auto textureOf = [&](std::size_t i) { return textured ? raw.cornerTextureCoordinates[rawCorner(i)] : Vec2f{}; };
-  const auto materialOf = [&](std::size_t i) { return file.faceMaterials.empty() ? kNoMaterial : file.faceMaterials[kept.faces[i / 3]]; };
+  const auto textureOf = [&](std::size_t i) {
+    return textured ? raw.cornerTextureCoordinates[rawCorner(i)] : Vec2f{};
+  };
+  const auto materialOf = [&](std::size_t i) {
+    return file.faceMaterials.empty() ? kNoMaterial : file.faceMaterials[kept.faces[i / 3]];
+  };
 
   const DistinctIds distinct = numberDistinct<7>(normals.size(), [&](std::size_t i) {
     const Vec3f n = normals[i];
     const Vec2f t = textureOf(i);
-    return std::array{welded[raw.corners[rawCorner(i)]], keyBits(n.x), keyBits(n.y), keyBits(n.z), keyBits(t.x), keyBits(t.y), materialOf(i)};
+    return std::array{welded[raw.corners[rawCorner(i)]],
+                      keyBits(n.x),
+                      keyBits(n.y),
+                      keyBits(n.z),
+                      keyBits(t.x),
+                      keyBits(t.y),
+                      materialOf(i)};
   });
-  std::vector<std::uint32_t> materialNumbers(file.materials.size() + 1, kNoMaterial);  // the last: no material
+  std::vector<std::uint32_t> materialNumbers(file.materials.size() + 1,
+                                             kNoMaterial);  // the last: no material
   for (const std::uint32_t i : distinct.firstUse) {
     mesh.positions.push_back(raw.positions[raw.corners[rawCorner(i)]]);
     mesh.normals.push_back(normals[i]);
     if (textured) mesh.textureCoordinates.push_back(textureOf(i));
-    const std::uint32_t material = std::min<std::uint32_t>(materialOf(i), static_cast<std::uint32_t>(file.materials.size()));
+    const std::uint32_t material =
+        std::min<std::uint32_t>(materialOf(i), static_cast<std::uint32_t>(file.materials.size()));
     if (materialNumbers[material] == kNoMaterial) {
       materialNumbers[material] = static_cast<std::uint32_t>(mesh.materials.size());
       mesh.materials.push_back(material < file.materials.size() ? file.materials[material] : Material{});
@@ -123,7 +141,8 @@ Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double cr
   }
   used.resize(raw.positions.size() - file.duplicateOf.size());
   const auto usedCount = static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
-  mesh.report.unreferencedVertices = mesh.report.sourceVertices - std::min(usedCount, mesh.report.sourceVertices);
+  mesh.report.unreferencedVertices =
+      mesh.report.sourceVertices - std::min(usedCount, mesh.report.sourceVertices);
   return mesh;
 }
 

@@ -5,8 +5,9 @@
 
 namespace shprt {
 
-// creaseAngleDegrees: edges sharper than this stay hard where normals are computed. recompute: ignore normals that the raw
-// mesh has. file gives materials and the counts so far, which the result's report continues.
-Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double creaseAngleDegrees, bool recompute);
+// creaseAngleDegrees: edges sharper than this stay hard where normals are computed. recompute: ignore normals
+// that the raw mesh has. file gives materials and the counts so far, which the result's report continues.
+Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double creaseAngleDegrees,
+                        bool recompute);
 
 }  // namespace shprt

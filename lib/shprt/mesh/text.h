@@ -11,7 +11,9 @@
 
 namespace shprt {
 
-constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 inline std::string_view trimBlanks(std::string_view text) {
   while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
@@ -56,7 +58,9 @@ inline std::optional<double> parseNumber(std::string_view token) {
   if (error == std::errc::result_out_of_range) {
     // Too small counts as zero, too large as infinite; the exponent's sign tells which.
     const std::size_t exponent = token.find_first_of("eE");
-    return exponent != std::string_view::npos && token.substr(exponent).find('-') != std::string_view::npos ? 0.0 : HUGE_VAL;
+    return exponent != std::string_view::npos && token.substr(exponent).find('-') != std::string_view::npos
+               ? 0.0
+               : HUGE_VAL;
   }
   if (error != std::errc{}) return {};
   return value;

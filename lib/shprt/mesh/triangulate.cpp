@@ -14,11 +14,17 @@ struct Point {
 };
 
 // Positive when a, b, c turn counter-clockwise.
-double turn(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double turn(Point a, Point b, Point c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
-bool same(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+bool same(Point a, Point b) {
+  return a.x == b.x && a.y == b.y;
+}
 
-double largestDifference(Vec3d a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
+double largestDifference(Vec3d a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
 
 // The polygon seen from the side it faces, so that it runs counter-clockwise.
 std::vector<Point> project(std::span<const Vec3d> corners) {
@@ -33,9 +39,12 @@ std::vector<Point> project(std::span<const Vec3d> corners) {
   std::vector<Point> points;
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   for (const Vec3d& p : local) {
-    if (z >= x && z >= y) points.push_back(normal.z < 0 ? Point{p.y, p.x} : Point{p.x, p.y});
-    else if (x >= y) points.push_back(normal.x < 0 ? Point{p.z, p.y} : Point{p.y, p.z});
-    else points.push_back(normal.y < 0 ? Point{p.x, p.z} : Point{p.z, p.x});
+    if (z >= x && z >= y)
+      points.push_back(normal.z < 0 ? Point{p.y, p.x} : Point{p.x, p.y});
+    else if (x >= y)
+      points.push_back(normal.x < 0 ? Point{p.z, p.y} : Point{p.y, p.z});
+    else
+      points.push_back(normal.y < 0 ? Point{p.x, p.z} : Point{p.z, p.x});
   }
   return points;
 }
@@ -71,9 +80,12 @@ void clipEars(const std::vector<Point>& points, std::vector<std::array<std::uint
   std::uint32_t current = 0;
   std::size_t left = count, refused = 0;
   while (left > 3) {
-    // When a whole round finds no ear (collinear or crossing corners), a corner is cut off flat; the loop always ends.
+    // When a whole round finds no ear (collinear or crossing corners), a corner is cut off flat; the loop
+    // always ends.
     const bool flat = refused >= left;
-    if (isEar(current) || (flat && turn(points[previous[current]], points[current], points[next[current]]) == 0) || refused >= 2 * left) {
+    if (isEar(current) ||
+        (flat && turn(points[previous[current]], points[current], points[next[current]]) == 0) ||
+        refused >= 2 * left) {
       triangles.push_back({previous[current], current, next[current]});
       next[previous[current]] = next[current];
       previous[next[current]] = previous[current];

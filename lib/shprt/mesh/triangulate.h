@@ -10,14 +10,15 @@
 
 namespace shprt {
 
-// Cuts one polygon of n >= 3 corners into n - 2 triangles with its orientation, given as indices into `corners`. Works in
-// the polygon's mean plane; concave polygons, collinear corners and bridges to holes come out right, self-crossing ones
-// somehow. Results are appended. Convex polygons take O(n), others O(n^2); above 4096 corners those are cut
-// as if they were convex, and false is returned.
+// Cuts one polygon of n >= 3 corners into n - 2 triangles with its orientation, given as indices into
+// `corners`. Works in the polygon's mean plane; concave polygons, collinear corners and bridges to holes come
+// out right, self-crossing ones somehow. Results are appended. Convex polygons take O(n), others O(n^2);
+// above 4096 corners those are cut as if they were convex, and false is returned.
 bool triangulate(std::span<const Vec3d> corners, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-// Twice the area vector of a triangle, computed from differences scaled so that it neither over- nor underflows: zero
-// exactly when the corners are collinear to double rounding of float coordinates. Only its direction is meaningful.
+// Twice the area vector of a triangle, computed from differences scaled so that it neither over- nor
+// underflows: zero exactly when the corners are collinear to double rounding of float coordinates. Only its
+// direction is meaningful.
 Vec3d areaDirection(Vec3d a, Vec3d b, Vec3d c);
 
 }  // namespace shprt

@@ -19,16 +19,20 @@ void append(std::string& bytes, const T& value) {
 
 }  // namespace
 
-void writePly(const std::filesystem::path& path, std::span<const Vec3f> positions, std::span<const Vec3f> normals,
-              std::span<const std::array<std::uint8_t, 3>> colours8, std::span<const Vec3f> radiance,
-              std::span<const Triangle> triangles) {
-  assert(normals.size() == positions.size() && colours8.size() == positions.size() && radiance.size() == positions.size());
-  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment relit by shprt: red green blue are sRGB, radiance_* linear Rec.709\nelement vertex " +
-                      std::to_string(positions.size()) +
-                      "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
-                      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-                      "property float radiance_r\nproperty float radiance_g\nproperty float radiance_b\nelement face " +
-                      std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+void writePly(const std::filesystem::path& path, std::span<const Vec3f> positions,
+              std::span<const Vec3f> normals, std::span<const std::array<std::uint8_t, 3>> colours8,
+              std::span<const Vec3f> radiance, std::span<const Triangle> triangles) {
+  assert(normals.size() == positions.size() && colours8.size() == positions.size() &&
+         radiance.size() == positions.size());
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\ncomment relit by shprt: red green blue are sRGB, radiance_* "
+      "linear Rec.709\nelement vertex " +
+      std::to_string(positions.size()) +
+      "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float "
+      "ny\nproperty float nz\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "property float radiance_r\nproperty float radiance_g\nproperty float radiance_b\nelement face " +
+      std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
   bytes.reserve(bytes.size() + positions.size() * 39 + triangles.size() * 13);
   for (std::size_t v = 0; v < positions.size(); ++v) {
     append(bytes, positions[v]);

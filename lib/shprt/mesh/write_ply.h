@@ -11,11 +11,11 @@
 
 namespace shprt {
 
-// Writes positions, normals, per-vertex colours (8-bit sRGB `red green blue`, as every viewer expects, and the linear
-// radiance itself as float `radiance_r radiance_g radiance_b`) and triangles. colours8 and radiance have one entry per
-// vertex. Written atomically. Throws Error.
-void writePly(const std::filesystem::path& path, std::span<const Vec3f> positions, std::span<const Vec3f> normals,
-              std::span<const std::array<std::uint8_t, 3>> colours8, std::span<const Vec3f> radiance,
-              std::span<const Triangle> triangles);
+// Writes positions, normals, per-vertex colours (8-bit sRGB `red green blue`, as every viewer expects, and
+// the linear radiance itself as float `radiance_r radiance_g radiance_b`) and triangles. colours8 and
+// radiance have one entry per vertex. Written atomically. Throws Error.
+void writePly(const std::filesystem::path& path, std::span<const Vec3f> positions,
+              std::span<const Vec3f> normals, std::span<const std::array<std::uint8_t, 3>> colours8,
+              std::span<const Vec3f> radiance, std::span<const Triangle> triangles);
 
 }  // namespace shprt

@@ -24,7 +24,8 @@ class Tally {
     const double error = std::abs(a - b);
     const double allowed = tolerance_.absolute + tolerance_.relative * std::max(std::abs(a), std::abs(b));
     if (!(error <= allowed)) ++differences_.beyond;
-    if (!(error <= differences_.maximumError) && !std::isnan(differences_.maximumError)) differences_.maximumError = error;
+    if (!(error <= differences_.maximumError) && !std::isnan(differences_.maximumError))
+      differences_.maximumError = error;
     squares_ += error * error;
   }
 
@@ -59,23 +60,31 @@ void compareGeometry(Comparison& comparison, const char* name, std::size_t count
   }
   const Differences differences = tally.result();
   if (differences.beyond == 0) return;
-  comparison.differingParts.push_back(fmt::format("{}: {} of {} values beyond tolerance, largest difference {:.3g}", name, differences.beyond,
-                                                  differences.compared, differences.maximumError));
+  comparison.differingParts.push_back(
+      fmt::format("{}: {} of {} values beyond tolerance, largest difference {:.3g}", name, differences.beyond,
+                  differences.compared, differences.maximumError));
 }
 
-double component(const Vec3f& v, std::size_t i) { return static_cast<double>(i == 0 ? v.x : i == 1 ? v.y : v.z); }
+double component(const Vec3f& v, std::size_t i) {
+  return static_cast<double>(i == 0 ? v.x : i == 1 ? v.y : v.z);
+}
 
-void compareVectors(Comparison& comparison, const char* name, const std::vector<Vec3f>& a, const std::vector<Vec3f>& b, const Tolerance& tolerance) {
-  compareGeometry(comparison, name, 3 * a.size(), tolerance, [&](std::size_t i) { return std::pair(component(a[i / 3], i % 3), component(b[i / 3], i % 3)); });
+void compareVectors(Comparison& comparison, const char* name, const std::vector<Vec3f>& a,
+                    const std::vector<Vec3f>& b, const Tolerance& tolerance) {
+  compareGeometry(comparison, name, 3 * a.size(), tolerance, [&](std::size_t i) {
+    return std::pair(component(a[i / 3], i % 3), component(b[i / 3], i % 3));
+  });
 }
 
 }  // namespace
 
 Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const Tolerance& tolerance) {
   if (a.transfer.vertexCount != b.transfer.vertexCount) {
-    return notComparable(fmt::format("they have {} and {} vertices", a.transfer.vertexCount, b.transfer.vertexCount));
+    return notComparable(
+        fmt::format("they have {} and {} vertices", a.transfer.vertexCount, b.transfer.vertexCount));
   }
-  if (a.transfer.degree != b.transfer.degree) return notComparable(fmt::format("they have degrees {} and {}", a.transfer.degree, b.transfer.degree));
+  if (a.transfer.degree != b.transfer.degree)
+    return notComparable(fmt::format("they have degrees {} and {}", a.transfer.degree, b.transfer.degree));
   Comparison comparison;
   const std::size_t vertices = a.transfer.vertexCount;
   // One channel stands for three equal ones.
@@ -90,7 +99,8 @@ Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const T
         const float* rowA = a.transfer.row(a.transfer.channels == 1 ? 0 : channel, i);
         const float* rowB = b.transfer.row(b.transfer.channels == 1 ? 0 : channel, i);
         for (std::size_t v = 0; v < vertices; ++v) {
-          const double valueA = static_cast<double>(rowA[v]), valueB = static_cast<double>(rowB[v]), error = std::abs(valueA - valueB);
+          const double valueA = static_cast<double>(rowA[v]), valueB = static_cast<double>(rowB[v]),
+                       error = std::abs(valueA - valueB);
           total.add(valueA, valueB);
           band.add(valueA, valueB);
           squares[v] += error * error;
@@ -105,7 +115,9 @@ Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const T
   for (std::size_t v = 0; v < vertices; ++v) order[v] = v;
   const std::size_t shown = std::min<std::size_t>(5, vertices);
   std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown), order.end(),
-                    [&](std::size_t x, std::size_t y) { return squares[x] != squares[y] ? squares[x] > squares[y] : x < y; });
+                    [&](std::size_t x, std::size_t y) {
+                      return squares[x] != squares[y] ? squares[x] > squares[y] : x < y;
+                    });
   for (std::size_t k = 0; k < shown && squares[order[k]] > 0; ++k) {
     comparison.worst.push_back({order[k], std::sqrt(squares[order[k]]), largestAt[order[k]]});
   }
@@ -116,13 +128,15 @@ Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const T
   if (a.textureCoordinates.size() != b.textureCoordinates.size()) {
     comparison.differingParts.push_back("textureCoordinates: only one of them has any");
   } else {
-    compareGeometry(comparison, "textureCoordinates", 2 * a.textureCoordinates.size(), tolerance, [&](std::size_t i) {
-      const Vec2f ta = a.textureCoordinates[i / 2], tb = b.textureCoordinates[i / 2];
-      return i % 2 == 0 ? std::pair<double, double>(ta.x, tb.x) : std::pair<double, double>(ta.y, tb.y);
-    });
+    compareGeometry(
+        comparison, "textureCoordinates", 2 * a.textureCoordinates.size(), tolerance, [&](std::size_t i) {
+          const Vec2f ta = a.textureCoordinates[i / 2], tb = b.textureCoordinates[i / 2];
+          return i % 2 == 0 ? std::pair<double, double>(ta.x, tb.x) : std::pair<double, double>(ta.y, tb.y);
+        });
   }
   if (a.triangles.size() != b.triangles.size()) {
-    comparison.differingParts.push_back(fmt::format("triangles: {} and {}", a.triangles.size(), b.triangles.size()));
+    comparison.differingParts.push_back(
+        fmt::format("triangles: {} and {}", a.triangles.size(), b.triangles.size()));
   } else if (a.triangles != b.triangles) {
     comparison.differingParts.push_back("triangles: other corners");
   }
@@ -130,14 +144,16 @@ Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const T
 }
 
 Comparison compareLights(const LightCoefficients& a, const LightCoefficients& b, const Tolerance& tolerance) {
-  if (a.degree != b.degree) return notComparable(fmt::format("they have degrees {} and {}", a.degree, b.degree));
+  if (a.degree != b.degree)
+    return notComparable(fmt::format("they have degrees {} and {}", a.degree, b.degree));
   Comparison comparison;
   Tally total(tolerance);
   for (int l = 0; l <= a.degree; ++l) {
     Tally band(tolerance);
     for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i)
       for (std::size_t colour = 0; colour < 3; ++colour) {
-        const double valueA = a.coefficients[static_cast<std::size_t>(i)][colour], valueB = b.coefficients[static_cast<std::size_t>(i)][colour];
+        const double valueA = a.coefficients[static_cast<std::size_t>(i)][colour],
+                     valueB = b.coefficients[static_cast<std::size_t>(i)][colour];
         total.add(valueA, valueB);
         band.add(valueA, valueB);
       }
@@ -149,43 +165,60 @@ Comparison compareLights(const LightCoefficients& a, const LightCoefficients& b,
 
 Comparison compareImages(const Image& a, const Image& b, const Tolerance& tolerance) {
   if (a.width != b.width || a.height != b.height) {
-    return notComparable(fmt::format("they are {} x {} and {} x {} pixels", a.width, a.height, b.width, b.height));
+    return notComparable(
+        fmt::format("they are {} x {} and {} x {} pixels", a.width, a.height, b.width, b.height));
   }
   Comparison comparison;
   Tally total(tolerance);
-  for (std::size_t i = 0; i < 3 * a.pixels.size(); ++i) total.add(component(a.pixels[i / 3], i % 3), component(b.pixels[i / 3], i % 3));
+  for (std::size_t i = 0; i < 3 * a.pixels.size(); ++i)
+    total.add(component(a.pixels[i / 3], i % 3), component(b.pixels[i / 3], i % 3));
   comparison.total = total.result();
   return comparison;
 }
 
-std::string formatComparison(const Comparison& comparison, const std::string& nameA, const std::string& nameB) {
-  if (!comparison.comparable) return fmt::format("{} and {} cannot be compared: {}", nameA, nameB, comparison.whyNot);
-  const auto relative = [](const Differences& d) { return d.rmsReference > 0 ? d.rmsError / d.rmsReference : d.rmsError > 0 ? HUGE_VAL : 0; };
+std::string formatComparison(const Comparison& comparison, const std::string& nameA,
+                             const std::string& nameB) {
+  if (!comparison.comparable)
+    return fmt::format("{} and {} cannot be compared: {}", nameA, nameB, comparison.whyNot);
+  const auto relative = [](const Differences& d) {
+    return d.rmsReference > 0 ? d.rmsError / d.rmsReference : d.rmsError > 0 ? HUGE_VAL : 0;
+  };
   const Differences& total = comparison.total;
-  std::string text = fmt::format("values            {} compared, {} beyond tolerance\nlargest error     {:.4g}\nRMS error         {:.4g} ({:.4g} of the RMS of {})\n",
-                                 total.compared, total.beyond, total.maximumError, total.rmsError, relative(total), nameA);
+  std::string text = fmt::format(
+      "values            {} compared, {} beyond tolerance\nlargest error     {:.4g}\nRMS error         "
+      "{:.4g} ({:.4g} of the RMS of {})\n",
+      total.compared, total.beyond, total.maximumError, total.rmsError, relative(total), nameA);
   if (total.maximumError > 0 || total.beyond > 0) {
     if (!comparison.perDegree.empty()) {
       text += "degree       largest           RMS      relative        beyond\n";
       for (std::size_t l = 0; l < comparison.perDegree.size(); ++l) {
         const Differences& band = comparison.perDegree[l];
-        text += fmt::format("{:>6}  {:>12.4g}  {:>12.4g}  {:>12.4g}  {:>12}\n", l, band.maximumError, band.rmsError, relative(band), band.beyond);
+        text += fmt::format("{:>6}  {:>12.4g}  {:>12.4g}  {:>12.4g}  {:>12}\n", l, band.maximumError,
+                            band.rmsError, relative(band), band.beyond);
       }
     }
     for (const WorstVertex& worst : comparison.worst) {
-      text += fmt::format("worst vertex      {}: error {:.4g}, most in coefficient {} (degree {})\n", worst.vertex, worst.error, worst.coefficient, bandOf(worst.coefficient));
+      text += fmt::format("worst vertex      {}: error {:.4g}, most in coefficient {} (degree {})\n",
+                          worst.vertex, worst.error, worst.coefficient, bandOf(worst.coefficient));
     }
   }
   for (const std::string& part : comparison.differingParts) text += "geometry          " + part + "\n";
-  return text + fmt::format("{}: {} and {}", comparison.equal() ? "equal within tolerance" : "DIFFERENT", nameA, nameB);
+  return text + fmt::format("{}: {} and {}", comparison.equal() ? "equal within tolerance" : "DIFFERENT",
+                            nameA, nameB);
 }
 
-std::string comparisonToJson(const Comparison& comparison, const std::string& nameA, const std::string& nameB) {
+std::string comparisonToJson(const Comparison& comparison, const std::string& nameA,
+                             const std::string& nameB) {
   using Json = nlohmann::ordered_json;
   const auto describe = [](const Differences& d) {
-    return Json{{"compared", d.compared}, {"beyond", d.beyond}, {"maximumError", d.maximumError}, {"rmsError", d.rmsError}, {"rmsReference", d.rmsReference}};
+    return Json{{"compared", d.compared},
+                {"beyond", d.beyond},
+                {"maximumError", d.maximumError},
+                {"rmsError", d.rmsError},
+                {"rmsReference", d.rmsReference}};
   };
-  Json json = {{"a", nameA}, {"b", nameB}, {"comparable", comparison.comparable}, {"equal", comparison.equal()}};
+  Json json = {
+      {"a", nameA}, {"b", nameB}, {"comparable", comparison.comparable}, {"equal", comparison.equal()}};
   if (!comparison.comparable) {
     json["whyNot"] = comparison.whyNot;
   } else {
@@ -193,7 +226,9 @@ std::string comparisonToJson(const Comparison& comparison, const std::string& na
     json["perDegree"] = Json::array();
     for (const Differences& band : comparison.perDegree) json["perDegree"].push_back(describe(band));
     json["worst"] = Json::array();
-    for (const WorstVertex& worst : comparison.worst) json["worst"].push_back({{"vertex", worst.vertex}, {"error", worst.error}, {"coefficient", worst.coefficient}});
+    for (const WorstVertex& worst : comparison.worst)
+      json["worst"].push_back(
+          {{"vertex", worst.vertex}, {"error", worst.error}, {"coefficient", worst.coefficient}});
     json["differingParts"] = comparison.differingParts;
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

@@ -18,25 +18,26 @@ struct Tolerance {
 
 struct Differences {
   std::uint64_t compared = 0;
-  std::uint64_t beyond = 0;          // values that do not agree
-  double maximumError = 0;           // |a - b|
+  std::uint64_t beyond = 0;  // values that do not agree
+  double maximumError = 0;   // |a - b|
   double rmsError = 0;
-  double rmsReference = 0;           // of A
+  double rmsReference = 0;  // of A
 };
 
 struct WorstVertex {
   std::uint64_t vertex = 0;
-  double error = 0;                  // 2-norm over its coefficients and channels
-  int coefficient = 0;               // of the largest single error
+  double error = 0;     // 2-norm over its coefficients and channels
+  int coefficient = 0;  // of the largest single error
 };
 
 struct Comparison {
   bool comparable = true;
-  std::string whyNot;                          // one line
+  std::string whyNot;  // one line
   Differences total;
-  std::vector<Differences> perDegree;          // coefficient and light files
-  std::vector<WorstVertex> worst;              // coefficient files, up to 5, worst first
-  std::vector<std::string> differingParts;     // assets: geometry parts that differ ("positions: 3 values beyond tolerance, max 1e-3")
+  std::vector<Differences> perDegree;       // coefficient and light files
+  std::vector<WorstVertex> worst;           // coefficient files, up to 5, worst first
+  std::vector<std::string> differingParts;  // assets: geometry parts that differ ("positions: 3 values beyond
+                                            // tolerance, max 1e-3")
   bool equal() const { return comparable && total.beyond == 0 && differingParts.empty(); }
 };
 
@@ -45,7 +46,9 @@ Comparison compareLights(const LightCoefficients& a, const LightCoefficients& b,
 Comparison compareImages(const Image& a, const Image& b, const Tolerance& tolerance);
 
 // The comparison as text for people and as a JSON object.
-std::string formatComparison(const Comparison& comparison, const std::string& nameA, const std::string& nameB);
-std::string comparisonToJson(const Comparison& comparison, const std::string& nameA, const std::string& nameB);
+std::string formatComparison(const Comparison& comparison, const std::string& nameA,
+                             const std::string& nameB);
+std::string comparisonToJson(const Comparison& comparison, const std::string& nameA,
+                             const std::string& nameB);
 
 }  // namespace shprt

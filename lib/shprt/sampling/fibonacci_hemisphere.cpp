@@ -19,8 +19,10 @@ struct DiscPoint {
 // Halves a range at a multiple of the group size, across its longer side, until groups remain.
 void groupNeighbours(std::span<DiscPoint> points, std::size_t groupSize) {
   if (points.size() <= groupSize) return;
-  const auto [xLow, xHigh] = std::minmax_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.x < b.x; });
-  const auto [yLow, yHigh] = std::minmax_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.y < b.y; });
+  const auto [xLow, xHigh] =
+      std::minmax_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.x < b.x; });
+  const auto [yLow, yHigh] =
+      std::minmax_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.y < b.y; });
   const bool splitX = xHigh->x - xLow->x > yHigh->y - yLow->y;
   const std::size_t groups = (points.size() + groupSize - 1) / groupSize;
   const std::size_t half = (groups / 2) * groupSize;
@@ -56,8 +58,8 @@ FibonacciHemisphere::FibonacciHemisphere(int count, int groupSize) : count_(coun
   }
 }
 
-void FibonacciHemisphere::directions(Vec3d normal, std::uint64_t seed, std::uint64_t index, float* x, float* y,
-                                     float* z) const {
+void FibonacciHemisphere::directions(Vec3d normal, std::uint64_t seed, std::uint64_t index, float* x,
+                                     float* y, float* z) const {
   const double turn = 2 * std::numbers::pi * uniformRandom(seed, index, 1);
   const Frame frame = frameFromNormal(normal);
   const Vec3f a = toFloat(frame.tangent * std::cos(turn) + frame.bitangent * std::sin(turn));

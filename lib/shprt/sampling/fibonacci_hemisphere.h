@@ -1,10 +1,10 @@
-// Cosine-distributed directions from a Fibonacci lattice with a random shift for every vertex: the set with the least
-// error among those measured (docs/accuracy.md).
+// Cosine-distributed directions from a Fibonacci lattice with a random shift for every vertex: the set with
+// the least error among those measured (docs/accuracy.md).
 //
-// Point i of n is u = (i + s) / n, v = i / golden ratio + t (mod 1), with s and t uniform in [0,1) and drawn anew for each
-// vertex. Each point is uniform over its stratum, so every estimate is unbiased. Because s moves a point only within
-// its ring and t turns them all together, azimuths can be tabulated and t folded into the tangent frame: a direction
-// costs two square roots and no trigonometry.
+// Point i of n is u = (i + s) / n, v = i / golden ratio + t (mod 1), with s and t uniform in [0,1) and drawn
+// anew for each vertex. Each point is uniform over its stratum, so every estimate is unbiased. Because s
+// moves a point only within its ring and t turns them all together, azimuths can be tabulated and t folded
+// into the tangent frame: a direction costs two square roots and no trigonometry.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +18,16 @@ namespace shprt {
 
 class FibonacciHemisphere {
  public:
-  // count >= 1 points. Their order is a permutation of the lattice that puts neighbours of the disc into the same group
-  // of `groupSize` points, so that packets of rays stay together.
+  // count >= 1 points. Their order is a permutation of the lattice that puts neighbours of the disc into the
+  // same group of `groupSize` points, so that packets of rays stay together.
   FibonacciHemisphere(int count, int groupSize);
 
   int count() const { return count_; }
   // count() rounded up to whole groups; the points beyond count() repeat the last one.
   std::size_t paddedCount() const { return cosines_.size(); }
 
-  // Directions in world space around unit `normal` for the vertex that (seed, index) names, as three arrays of
-  // paddedCount() floats.
+  // Directions in world space around unit `normal` for the vertex that (seed, index) names, as three arrays
+  // of paddedCount() floats.
   void directions(Vec3d normal, std::uint64_t seed, std::uint64_t index, float* x, float* y, float* z) const;
 
  private:

@@ -5,8 +5,8 @@
 
 namespace shprt {
 
-// Maps (u, v) in [0,1)^2 to a direction with density cos(theta)/pi: u is the squared distance from the axis of its
-// projection to the disc, v the azimuth in turns.
+// Maps (u, v) in [0,1)^2 to a direction with density cos(theta)/pi: u is the squared distance from the axis
+// of its projection to the disc, v the azimuth in turns.
 Vec3d sampleCosineHemisphere(double u, double v);
 
 // Density of sampleCosineHemisphere with respect to solid angle, for a unit direction; 0 below the horizon.

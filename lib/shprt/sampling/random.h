@@ -1,5 +1,5 @@
-// All randomness of the project: a counter-based generator, so that a seed and an index fix every number whatever the
-// order or the thread that asks.
+// All randomness of the project: a counter-based generator, so that a seed and an index fix every number
+// whatever the order or the thread that asks.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ constexpr std::uint64_t hashCounter(std::uint64_t seed, std::uint64_t counter) {
   return mix(mix(seed + kGolden) + (counter + 1) * kGolden);
 }
 
-// Uniform in [0, 1), dimension `dimension` of the random point that belongs to (seed, index). At most 256 dimensions.
+// Uniform in [0, 1), dimension `dimension` of the random point that belongs to (seed, index). At most 256
+// dimensions.
 constexpr double uniformRandom(std::uint64_t seed, std::uint64_t index, unsigned dimension) {
   return static_cast<double>(hashCounter(seed, index * 256 + dimension) >> 11) * 0x1p-53;
 }

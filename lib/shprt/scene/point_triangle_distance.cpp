@@ -17,10 +17,11 @@ double pointSegmentDistance(Vec3d point, Vec3d a, Vec3d b) {
 double pointTriangleDistance(Vec3d point, Vec3d a, Vec3d b, Vec3d c) {
   const Vec3d normal = cross(b - a, c - a);
   const double area = length(normal);
-  const bool inside = area > 0 && dot(cross(b - a, point - a), normal) >= 0 && dot(cross(c - b, point - b), normal) >= 0 &&
-                      dot(cross(a - c, point - c), normal) >= 0;
+  const bool inside = area > 0 && dot(cross(b - a, point - a), normal) >= 0 &&
+                      dot(cross(c - b, point - b), normal) >= 0 && dot(cross(a - c, point - c), normal) >= 0;
   if (inside) return std::abs(dot(point - a, normal)) / area;
-  return std::min({pointSegmentDistance(point, a, b), pointSegmentDistance(point, b, c), pointSegmentDistance(point, c, a)});
+  return std::min({pointSegmentDistance(point, a, b), pointSegmentDistance(point, b, c),
+                   pointSegmentDistance(point, c, a)});
 }
 
 }  // namespace shprt

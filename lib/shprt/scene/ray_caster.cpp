@@ -22,13 +22,18 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 #if RTC_VERSION_MAJOR >= 4
 using QueryContext = RTCRayQueryContext;
-void initContext(QueryContext* context) { rtcInitRayQueryContext(context); }
+void initContext(QueryContext* context) {
+  rtcInitRayQueryContext(context);
+}
 #else
 using QueryContext = RTCIntersectContext;
-void initContext(QueryContext* context) { rtcInitIntersectContext(context); }
+void initContext(QueryContext* context) {
+  rtcInitIntersectContext(context);
+}
 #endif
 
-// What the filter needs to know about the rays under way. Embree hands the context back by pointer, so ours begins with its.
+// What the filter needs to know about the rays under way. Embree hands the context back by pointer, so ours
+// begins with its.
 struct OcclusionContext {
   QueryContext base;
   const IgnoredTriangles* ignored;
@@ -62,8 +67,9 @@ void filterOcclusion(const RTCFilterFunctionNArguments* arguments) {
 }
 
 template <int N, typename Packet>
-std::uint32_t tracePacket(RTCScene scene, OcclusionContext& context, Vec3f origin, const RayPacket& rays, int first,
-                          std::uint32_t active, void (*trace)(const int*, RTCScene, OcclusionContext&, Packet*)) {
+std::uint32_t tracePacket(RTCScene scene, OcclusionContext& context, Vec3f origin, const RayPacket& rays,
+                          int first, std::uint32_t active,
+                          void (*trace)(const int*, RTCScene, OcclusionContext&, Packet*)) {
   alignas(64) int valid[N];
   alignas(64) Packet packet;
   for (int lane = 0; lane < N; ++lane) {
@@ -109,7 +115,9 @@ void traceFour(const int* valid, RTCScene scene, OcclusionContext& context, RTCR
   RTCOccludedArguments arguments = occludedArguments(context);
   rtcOccluded4(valid, scene, packet, &arguments);
 }
-void intersectOne(RTCScene scene, RTCRayHit* rayHit) { rtcIntersect1(scene, rayHit); }
+void intersectOne(RTCScene scene, RTCRayHit* rayHit) {
+  rtcIntersect1(scene, rayHit);
+}
 #else
 void traceSixteen(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay16* packet) {
   rtcOccluded16(valid, scene, &context.base, packet);
@@ -140,8 +148,9 @@ bool collectNear(RTCPointQueryFunctionArguments* arguments) {
   auto& query = *static_cast<NearQuery*>(arguments->userPtr);
   if (query.data->hasCornerAt(arguments->primID, query.exceptPosition)) return false;
   const auto& corners = query.data->triangles[arguments->primID];
-  const double distance = pointTriangleDistance(query.point, toDouble(query.positions[corners[0]]),
-                                                toDouble(query.positions[corners[1]]), toDouble(query.positions[corners[2]]));
+  const double distance =
+      pointTriangleDistance(query.point, toDouble(query.positions[corners[0]]),
+                            toDouble(query.positions[corners[1]]), toDouble(query.positions[corners[2]]));
   if (distance <= query.radius) query.found.push_back(arguments->primID);
   return false;
 }
@@ -182,7 +191,8 @@ struct RayCaster::Impl {
   }
 };
 
-RayCaster::RayCaster(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
+RayCaster::RayCaster(std::span<const Vec3f> positions,
+                     std::span<const std::array<std::uint32_t, 3>> triangles,
                      std::span<const std::uint32_t> positionIds)
     : impl_(std::make_unique<Impl>()) {
   impl_->device = rtcNewDevice(nullptr);
@@ -199,8 +209,10 @@ RayCaster::RayCaster(std::span<const Vec3f> positions, std::span<const std::arra
   rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
 
   RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), positions.size());
-  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(triangles[0]), triangles.size());
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           sizeof(Vec3f), positions.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                          sizeof(triangles[0]), triangles.size());
   if (vertices && indices) {
     std::memcpy(vertices, positions.data(), positions.size_bytes());
     std::memcpy(indices, triangles.data(), triangles.size_bytes());
@@ -246,9 +258,18 @@ std::uint32_t RayCaster::occluded(Vec3f origin, const RayPacket& rays, std::uint
 
 RayHit RayCaster::intersect(Vec3f origin, Vec3f direction) const {
   RTCRayHit rayHit;
-  rayHit.ray = {.org_x = origin.x, .org_y = origin.y, .org_z = origin.z, .tnear = 0,
-                .dir_x = direction.x, .dir_y = direction.y, .dir_z = direction.z, .time = 0,
-                .tfar = kInfinity, .mask = ~0u, .id = 0, .flags = 0};
+  rayHit.ray = {.org_x = origin.x,
+                .org_y = origin.y,
+                .org_z = origin.z,
+                .tnear = 0,
+                .dir_x = direction.x,
+                .dir_y = direction.y,
+                .dir_z = direction.z,
+                .time = 0,
+                .tfar = kInfinity,
+                .mask = ~0u,
+                .id = 0,
+                .flags = 0};
   rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   intersectOne(impl_->scene, &rayHit);
@@ -256,13 +277,16 @@ RayHit RayCaster::intersect(Vec3f origin, Vec3f direction) const {
   return {rayHit.ray.tfar, rayHit.hit.primID, rayHit.hit.u, rayHit.hit.v};
 }
 
-std::uint64_t RayCaster::peakMemory() const { return static_cast<std::uint64_t>(impl_->memory.peak.load()); }
+std::uint64_t RayCaster::peakMemory() const {
+  return static_cast<std::uint64_t>(impl_->memory.peak.load());
+}
 
-std::vector<std::uint32_t> RayCaster::trianglesNear(Vec3f point, double radius, std::uint32_t exceptPosition) const {
+std::vector<std::uint32_t> RayCaster::trianglesNear(Vec3f point, double radius,
+                                                    std::uint32_t exceptPosition) const {
   NearQuery near{toDouble(point), radius, exceptPosition, impl_->positions, &impl_->data, {}};
   // Slightly wider than asked, so that rounding inside Embree loses none; collectNear decides.
-  RTCPointQuery query{.x = point.x, .y = point.y, .z = point.z, .time = 0,
-                      .radius = static_cast<float>(radius * 1.5)};
+  RTCPointQuery query{
+      .x = point.x, .y = point.y, .z = point.z, .time = 0, .radius = static_cast<float>(radius * 1.5)};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(impl_->scene, &query, &context, collectNear, &near);

@@ -31,34 +31,37 @@ struct RayPacket {
 struct IgnoredTriangles {
   std::uint32_t position = 0;                // all with a corner at this position id
   std::span<const std::uint32_t> triangles;  // and these, few
-  // A distance within which every triangle is among the ignored ones. Rays start there: that loses nothing, and spares most of
-  // the calls that would tell ignored triangles from others.
+  // A distance within which every triangle is among the ignored ones. Rays start there: that loses nothing,
+  // and spares most of the calls that would tell ignored triangles from others.
   float distance = 0;
 };
 
 // Immutable once built; all queries may run from many threads at once.
 class RayCaster {
  public:
-  // Coordinates should be near the origin and of order one (scene_frame.h). positionIds has one entry per position
-  // (position_ids.h); empty means each position is its own. Positions and triangles are copied, ids are not: they must
-  // outlive the caster. Throws Error when Embree reports a failure.
+  // Coordinates should be near the origin and of order one (scene_frame.h). positionIds has one entry per
+  // position (position_ids.h); empty means each position is its own. Positions and triangles are copied, ids
+  // are not: they must outlive the caster. Throws Error when Embree reports a failure.
   RayCaster(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
             std::span<const std::uint32_t> positionIds = {});
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
 
-  // For each lane whose bit is set in `active`: sets its bit in the result when any triangle, except the ignored ones,
-  // lies along the ray at a distance of at least ignored.distance.
-  std::uint32_t occluded(Vec3f origin, const RayPacket& rays, std::uint32_t active, const IgnoredTriangles& ignored) const;
+  // For each lane whose bit is set in `active`: sets its bit in the result when any triangle, except the
+  // ignored ones, lies along the ray at a distance of at least ignored.distance.
+  std::uint32_t occluded(Vec3f origin, const RayPacket& rays, std::uint32_t active,
+                         const IgnoredTriangles& ignored) const;
 
   // Nearest hit along one ray, for pictures. direction of any nonzero length.
   RayHit intersect(Vec3f origin, Vec3f direction) const;
 
-  // The triangles nearer to a point than radius, in increasing order, without those that have a corner at the position id.
+  // The triangles nearer to a point than radius, in increasing order, without those that have a corner at the
+  // position id.
   std::vector<std::uint32_t> trianglesNear(Vec3f point, double radius, std::uint32_t exceptPosition) const;
 
-  // Most memory that Embree held at once, in bytes: its copy of the mesh, the hierarchy and what building it took.
+  // Most memory that Embree held at once, in bytes: its copy of the mesh, the hierarchy and what building it
+  // took.
   std::uint64_t peakMemory() const;
 
  private:

@@ -8,8 +8,8 @@
 namespace shprt {
 namespace {
 
-// A shift along one axis that is exact for every coordinate in [low, high]: the bound nearer to zero, when the interval
-// lies so far from zero that low and high are within a factor of two.
+// A shift along one axis that is exact for every coordinate in [low, high]: the bound nearer to zero, when
+// the interval lies so far from zero that low and high are within a factor of two.
 double exactShift(double low, double high) {
   if (low > 0 && high <= 2 * low) return low;
   if (high < 0 && low >= 2 * high) return high;

@@ -1,8 +1,8 @@
 // Mesh coordinates to coordinates that ray tracing in float likes: near the origin and of order one.
 //
-// Both steps are exact. The scale is a power of two. An axis is shifted only when the mesh lies far from zero along it,
-// and then by a float of the mesh's own magnitude, so each difference is a float again (Sterbenz). Geometry therefore
-// stays what the file says, bit for bit, at any size and any distance from the origin.
+// Both steps are exact. The scale is a power of two. An axis is shifted only when the mesh lies far from zero
+// along it, and then by a float of the mesh's own magnitude, so each difference is a float again (Sterbenz).
+// Geometry therefore stays what the file says, bit for bit, at any size and any distance from the origin.
 #pragma once
 
 #include <span>

@@ -41,8 +41,8 @@ AccumulateVariant chooseAccumulateVariant() {
   return {"baseline", accumulateShBaseline};
 }
 
-void accumulateSh(int degree, const float* x, const float* y, const float* z, const float* weight, std::size_t count,
-                  double* sums) {
+void accumulateSh(int degree, const float* x, const float* y, const float* z, const float* weight,
+                  std::size_t count, double* sums) {
   assert(degree >= 0 && degree <= kMaximumBakeDegree && count % kAccumulateLanes == 0);
   static const AccumulateVariant variant = chooseAccumulateVariant();
   variant.function(degree, x, y, z, weight, count, sums);

@@ -7,8 +7,8 @@
 
 namespace shprt {
 
-void accumulateShAvx512(int degree, const float* x, const float* y, const float* z, const float* weight, std::size_t count,
-                    double* sums) {
+void accumulateShAvx512(int degree, const float* x, const float* y, const float* z, const float* weight,
+                        std::size_t count, double* sums) {
   accumulateKernel(degree, x, y, z, weight, count, sums);
 }
 

@@ -5,10 +5,9 @@
 
 namespace shprt {
 
-void accumulateShBaseline(int degree, const float* x, const float* y, const float* z, const float* weight, std::size_t count,
-                    double* sums) {
+void accumulateShBaseline(int degree, const float* x, const float* y, const float* z, const float* weight,
+                          std::size_t count, double* sums) {
   accumulateKernel(degree, x, y, z, weight, count, sums);
 }
 
 }  // namespace shprt
-

@@ -18,11 +18,13 @@ inline double foldLanes(const Lanes& lanes) {
 }
 
 // Vectors travel by reference: passed by value they would have another ABI in each variant.
-inline void loadLanes(const float* from, Lanes& lanes) { __builtin_memcpy(&lanes, from, sizeof lanes); }
+inline void loadLanes(const float* from, Lanes& lanes) {
+  __builtin_memcpy(&lanes, from, sizeof lanes);
+}
 
 // sums[i] += weight * y_i for one block of 16 directions.
-inline void addBlock(const AccumulateTables& tables, int degree, const Lanes& x, const Lanes& y, const Lanes& z,
-                     const Lanes& weight, Lanes* sums) {
+inline void addBlock(const AccumulateTables& tables, int degree, const Lanes& x, const Lanes& y,
+                     const Lanes& z, const Lanes& weight, Lanes* sums) {
   const float* constants = tables.constants;
   Lanes powerRe = weight, powerIm = weight * 0.0f;  // weight * (x + iy)^m
   for (int m = 0; m <= degree; ++m) {

@@ -5,8 +5,8 @@
 
 namespace shprt {
 
-using AccumulateFunction = void (*)(int degree, const float* x, const float* y, const float* z, const float* weight,
-                                    std::size_t count, double* sums);
+using AccumulateFunction = void (*)(int degree, const float* x, const float* y, const float* z,
+                                    const float* weight, std::size_t count, double* sums);
 
 void accumulateShBaseline(int degree, const float* x, const float* y, const float* z, const float* weight,
                           std::size_t count, double* sums);

@@ -1,9 +1,10 @@
 // Real spherical harmonics by recurrences on normalised polynomials.
 //
-// y_lm = Pi_lm(z) Re or Im (x + iy)^m, where Pi_lm is the associated Legendre function without its factor sin^m,
-// carrying the whole normalisation. So no factorials appear, nothing is divided by sin(theta), and poles are ordinary points.
-// Based on: Holmes and Featherstone 2002, eqs. 11-12 (normalised recurrences) and section 2.7 (splitting off sin^m). Where a
-// power or a polynomial nears the ends of the exponent range both are rescaled by powers of two, which is exact.
+// y_lm = Pi_lm(z) Re or Im (x + iy)^m, where Pi_lm is the associated Legendre function without its factor
+// sin^m, carrying the whole normalisation. So no factorials appear, nothing is divided by sin(theta), and
+// poles are ordinary points. Based on: Holmes and Featherstone 2002, eqs. 11-12 (normalised recurrences) and
+// section 2.7 (splitting off sin^m). Where a power or a polynomial nears the ends of the exponent range both
+// are rescaled by powers of two, which is exact.
 
 #include "shprt/sh/basis.h"
 
@@ -34,15 +35,17 @@ struct Power {
   }
 };
 
-double scaled(double value, int exponent) { return exponent == 0 ? value : std::ldexp(value, exponent); }
+double scaled(double value, int exponent) {
+  return exponent == 0 ? value : std::ldexp(value, exponent);
+}
 
 }  // namespace
 
 PolarHeight polarHeight(Vec3d direction) {
   const double squared = direction.x * direction.x + direction.y * direction.y;
   if (squared >= 0.5) return {direction.z, 0};
-  // Near a pole the rounding of z is amplified by l^2/2; x and y hold the angle far better there. 1 - |z| is small and
-  // known to full precision, so z is carried as its rounded value and what the rounding lost.
+  // Near a pole the rounding of z is amplified by l^2/2; x and y hold the angle far better there. 1 - |z| is
+  // small and known to full precision, so z is carried as its rounded value and what the rounding lost.
   const double drop = squared / (1 + std::sqrt(1 - squared));
   const double height = 1 - drop;
   const double lost = (1 - height) - drop;

@@ -24,14 +24,18 @@ inline Recurrence recurrence(int l, int m) {
 }
 
 // Pi_mm / Pi_{m-1,m-1}, for m >= 1. The first step carries the sqrt(2) of real harmonics.
-inline double sectoralFactor(int m) { return std::sqrt((m == 1 ? 2.0 : 1.0) * (2.0 * m + 1) / (2.0 * m)); }
+inline double sectoralFactor(int m) {
+  return std::sqrt((m == 1 ? 2.0 : 1.0) * (2.0 * m + 1) / (2.0 * m));
+}
 
 // The constants to a degree that covers stored coefficients; beyond, they are computed as they are needed.
 struct RecurrenceTable {
   int degree;
   std::vector<Recurrence> constants;  // by l (l - 1) / 2 + m
 
-  const Recurrence& at(int l, int m) const { return constants[static_cast<std::size_t>(l * (l - 1) / 2 + m)]; }
+  const Recurrence& at(int l, int m) const {
+    return constants[static_cast<std::size_t>(l * (l - 1) / 2 + m)];
+  }
 };
 const RecurrenceTable& recurrenceTable();
 

@@ -1,8 +1,9 @@
-// Rotation by Euler angles: turns about z are a 2x2 rotation of each pair (m, -m); the turn about y is dense within a band.
-// Its Wigner matrices d^l(beta) come from Risbo's recursion, which climbs from spin j to j + 1/2 by four products with factors of at most
-// one, so errors do not grow with l as they do in recurrences across bands (shared findings: 1.4e-14 at l = 200).
-// Based on: Risbo 1996, eqs. 5-6 (recursion in j); real form from y_m = (Z^m + Z^-m)/sqrt(2), y_-m = (Z^m - Z^-m)/(i sqrt(2)) with
-// Z^m the complex harmonics without Condon-Shortley phase.
+// Rotation by Euler angles: turns about z are a 2x2 rotation of each pair (m, -m); the turn about y is dense
+// within a band. Its Wigner matrices d^l(beta) come from Risbo's recursion, which climbs from spin j to j +
+// 1/2 by four products with factors of at most one, so errors do not grow with l as they do in recurrences
+// across bands (shared findings: 1.4e-14 at l = 200). Based on: Risbo 1996, eqs. 5-6 (recursion in j); real
+// form from y_m = (Z^m + Z^-m)/sqrt(2), y_-m = (Z^m - Z^-m)/(i sqrt(2)) with Z^m the complex harmonics
+// without Condon-Shortley phase.
 
 #include "shprt/sh/rotation.h"
 
@@ -29,7 +30,9 @@ class WignerBands {
     halfStep();
     halfStep();
   }
-  double at(int l, int m1, int m2) const { return entries_[static_cast<std::size_t>((m1 + l) * (2 * l + 1) + m2 + l)]; }
+  double at(int l, int m1, int m2) const {
+    return entries_[static_cast<std::size_t>((m1 + l) * (2 * l + 1) + m2 + l)];
+  }
 
  private:
   void halfStep() {
@@ -38,7 +41,9 @@ class WignerBands {
     std::vector<double> root(static_cast<std::size_t>(n) + 1);
     for (int i = 0; i <= n; ++i) root[static_cast<std::size_t>(i)] = std::sqrt(static_cast<double>(i));
     const auto rootOf = [&](int i) { return root[static_cast<std::size_t>(i)]; };
-    const auto slot = [&](int i, int k) -> double& { return next[static_cast<std::size_t>(i * (n + 1) + k)]; };
+    const auto slot = [&](int i, int k) -> double& {
+      return next[static_cast<std::size_t>(i * (n + 1) + k)];
+    };
     for (int i = 0; i < n; ++i)
       for (int k = 0; k < n; ++k) {
         const double d = entries_[static_cast<std::size_t>(i * n + k)] / n;
@@ -68,7 +73,8 @@ void turnAboutZ(int l, double angle, double* band) {
 // The real matrix of a turn about y: cosines and sines do not mix.
 class RealTurnAboutY {
  public:
-  RealTurnAboutY(int l, const WignerBands& bands) : l_(l), cosines_(size() * size()), sines_(cosines_.size()) {
+  RealTurnAboutY(int l, const WignerBands& bands)
+      : l_(l), cosines_(size() * size()), sines_(cosines_.size()) {
     for (int m = 0; m <= l; ++m)
       for (int n = 0; n <= l; ++n) {
         const double same = ((m + n) % 2 ? -1 : 1) * bands.at(l, m, n);
@@ -96,7 +102,9 @@ class RealTurnAboutY {
 
  private:
   std::size_t size() const { return static_cast<std::size_t>(l_) + 1; }
-  std::size_t index(int m, int n) const { return static_cast<std::size_t>(m) * size() + static_cast<std::size_t>(n); }
+  std::size_t index(int m, int n) const {
+    return static_cast<std::size_t>(m) * size() + static_cast<std::size_t>(n);
+  }
 
   int l_;
   std::vector<double> cosines_, sines_;
@@ -121,12 +129,14 @@ NearestRotation nearestRotation(const Mat3& matrix) {
   const Mat3 product = transpose(matrix) * matrix;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      if (!std::isfinite(matrix.m[i][j])) throw Error("rotation", "the matrix has an entry that is not a finite number", remedy);
+      if (!std::isfinite(matrix.m[i][j]))
+        throw Error("rotation", "the matrix has an entry that is not a finite number", remedy);
       defect = std::max(defect, std::abs(product.m[i][j] - (i == j ? 1 : 0)));
     }
   if (defect > 2e-3) throw Error("rotation", "the matrix is no rotation (it scales or shears)", remedy);
   if (determinant(matrix) < 0) throw Error("rotation", "the matrix is a reflection", remedy);
-  // Newton's iteration for the polar factor converges quadratically; five steps from 2e-3 are more than enough.
+  // Newton's iteration for the polar factor converges quadratically; five steps from 2e-3 are more than
+  // enough.
   NearestRotation nearest{matrix, 0};
   for (int step = 0; step < 5; ++step) {
     const Mat3 other = inverseTranspose(nearest.rotation);
@@ -134,7 +144,8 @@ NearestRotation nearestRotation(const Mat3& matrix) {
       for (int j = 0; j < 3; ++j) nearest.rotation.m[i][j] = (nearest.rotation.m[i][j] + other.m[i][j]) / 2;
   }
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) nearest.correction = std::max(nearest.correction, std::abs(nearest.rotation.m[i][j] - matrix.m[i][j]));
+    for (int j = 0; j < 3; ++j)
+      nearest.correction = std::max(nearest.correction, std::abs(nearest.rotation.m[i][j] - matrix.m[i][j]));
   return nearest;
 }
 

@@ -15,7 +15,8 @@
 namespace shprt {
 namespace {
 
-constexpr const char* kForms = "use axis:x,y,z,degrees  quat:w,x,y,z  euler:zyz,a,b,c  matrix:nine numbers  or @FILE";
+constexpr const char* kForms =
+    "use axis:x,y,z,degrees  quat:w,x,y,z  euler:zyz,a,b,c  matrix:nine numbers  or @FILE";
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n";
@@ -32,7 +33,8 @@ std::vector<double> parseNumbers(std::string_view text, std::size_t count, const
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || !std::isfinite(number)) {
-      throw Error("rotation '" + specification + "'", "'" + std::string(text) + "' does not begin with a finite number", kForms);
+      throw Error("rotation '" + specification + "'",
+                  "'" + std::string(text) + "' does not begin with a finite number", kForms);
     }
     numbers.push_back(number);
     text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
@@ -42,8 +44,10 @@ std::vector<double> parseNumbers(std::string_view text, std::size_t count, const
     }
   }
   if (numbers.size() != count) {
-    throw Error("rotation '" + specification + "'",
-                "has " + std::to_string(numbers.size()) + " numbers where " + std::to_string(count) + " belong", kForms);
+    throw Error(
+        "rotation '" + specification + "'",
+        "has " + std::to_string(numbers.size()) + " numbers where " + std::to_string(count) + " belong",
+        kForms);
   }
   return numbers;
 }
@@ -84,7 +88,9 @@ Mat3 parseRotation(const std::string& specification) {
     if (text.starts_with('@')) throw Error(specification, "names another file", kForms);
   }
   const std::string shown(text.substr(0, 80));
-  const auto complain = [&](const std::string& problem) { return Error("rotation '" + shown + "'", problem, kForms); };
+  const auto complain = [&](const std::string& problem) {
+    return Error("rotation '" + shown + "'", problem, kForms);
+  };
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) throw complain("has no kind");
   const std::string_view kind = trimmed(text.substr(0, colon)), rest = text.substr(colon + 1);
@@ -96,7 +102,8 @@ Mat3 parseRotation(const std::string& specification) {
   }
   if (kind == "quat") {
     const auto n = parseNumbers(rest, 4, shown);
-    const double largest = std::max(std::max(std::abs(n[0]), std::abs(n[1])), std::max(std::abs(n[2]), std::abs(n[3])));
+    const double largest =
+        std::max(std::max(std::abs(n[0]), std::abs(n[1])), std::max(std::abs(n[2]), std::abs(n[3])));
     if (largest == 0) throw complain("is a zero quaternion");
     double w = n[0] / largest, x = n[1] / largest, y = n[2] / largest, z = n[3] / largest;
     const double norm = std::sqrt(w * w + x * x + y * y + z * z);
@@ -107,7 +114,8 @@ Mat3 parseRotation(const std::string& specification) {
   }
   if (kind == "euler") {
     const std::size_t comma = rest.find(',');
-    if (comma == std::string_view::npos || trimmed(rest.substr(0, comma)) != "zyz") throw complain("euler takes the order zyz");
+    if (comma == std::string_view::npos || trimmed(rest.substr(0, comma)) != "zyz")
+      throw complain("euler takes the order zyz");
     const auto n = parseNumbers(rest.substr(comma + 1), 3, shown);
     return aboutAxis({0, 0, 1}, n[0]) * aboutAxis({0, 1, 0}, n[1]) * aboutAxis({0, 0, 1}, n[2]);
   }

@@ -14,14 +14,14 @@
 namespace shprt {
 
 struct BakeStatistics {
-  std::uint64_t rays = 0;              // rays traced
-  double buildSeconds = 0;             // acceleration structure
-  double traceSeconds = 0;             // rays and accumulation
-  std::uint64_t embreeBytes = 0;       // most memory that Embree held at once
-  double meanVisibility = 1;           // mean over vertices of the visible share of the cosine-weighted hemisphere
-  std::uint64_t fullyVisible = 0;      // vertices
+  std::uint64_t rays = 0;         // rays traced
+  double buildSeconds = 0;        // acceleration structure
+  double traceSeconds = 0;        // rays and accumulation
+  std::uint64_t embreeBytes = 0;  // most memory that Embree held at once
+  double meanVisibility = 1;      // mean over vertices of the visible share of the cosine-weighted hemisphere
+  std::uint64_t fullyVisible = 0;  // vertices
   std::uint64_t fullyHidden = 0;
-  std::uint64_t samplePoints = 0;      // distinct (position, normal) that were baked
+  std::uint64_t samplePoints = 0;  // distinct (position, normal) that were baked
 };
 
 struct Bake {
@@ -35,7 +35,7 @@ Bake bakeUnshadowed(const Mesh& mesh, std::span<const Vec3f> albedo, int degree)
 
 struct ShadowedOptions {
   int degree = 4;
-  int rays = 256;          // per vertex
+  int rays = 256;  // per vertex
   std::uint64_t seed = 1;
 };
 

@@ -6,11 +6,11 @@
 namespace shprt {
 namespace {
 
-// How far above the own triangle its infinitesimal step rises, as an angle in radians: dihedral angles smaller than this
-// count as closed.
+// How far above the own triangle its infinitesimal step rises, as an angle in radians: dihedral angles
+// smaller than this count as closed.
 constexpr double kStepElevation = 1e-3;
-// Edges up to this elevation (sine) above a plane count as lying in it. The lowest of n cosine-distributed rays stands
-// about 1/sqrt(2n) high, 100 times more than this for n = 65536.
+// Edges up to this elevation (sine) above a plane count as lying in it. The lowest of n cosine-distributed
+// rays stands about 1/sqrt(2n) high, 100 times more than this for n = 65536.
 constexpr double kFlat = 1e-6;
 // Wedges whose sine of the opening angle is less are degenerate: their plane is rounding.
 constexpr double kDegenerate = 1e-9;
@@ -19,7 +19,8 @@ Vec3d edgeDirection(const SurfaceTopology& topology, std::uint32_t from, std::ui
   return normalize(toDouble(topology.positions()[to]) - toDouble(topology.positions()[from]));
 }
 
-// Whether the arc between two directions stays below a plane up to kFlat. Nearly opposite ones may rise in between.
+// Whether the arc between two directions stays below a plane up to kFlat. Nearly opposite ones may rise in
+// between.
 bool staysBelow(Vec3d plane, Vec3d edge1, Vec3d edge2) {
   return dot(plane, edge1) <= kFlat && dot(plane, edge2) <= kFlat && length(edge1 + edge2) > 0.1;
 }
@@ -44,7 +45,8 @@ void LocalHorizon::addWedge(Vec3d edge1, Vec3d edge2, bool own) {
   wedges_.push_back(wedge);
 }
 
-void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex, std::span<const std::uint32_t> touching) {
+void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex,
+                           std::span<const std::uint32_t> touching) {
   wedges_.clear();
   normal_ = topology.normal(vertex);
   const std::uint32_t position = topology.positionIds()[vertex];
@@ -60,8 +62,8 @@ void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex
     const Triangle& t = topology.triangles()[triangle];
     for (std::size_t k = 0; k < 3; ++k) {
       if (topology.positionIds()[t[k]] != position) continue;
-      const Corner corner{edgeDirection(topology, t[k], t[(k + 1) % 3]), edgeDirection(topology, t[k], t[(k + 2) % 3]),
-                          topology.pointIds()[t[k]] == point};
+      const Corner corner{edgeDirection(topology, t[k], t[(k + 1) % 3]),
+                          edgeDirection(topology, t[k], t[(k + 2) % 3]), topology.pointIds()[t[k]] == point};
       corners.push_back(corner);
       const Vec3d crossed = cross(corner.edge1, corner.edge2);
       const double angle = std::atan2(length(crossed), dot(corner.edge1, corner.edge2));
@@ -83,7 +85,8 @@ void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex
     Vec3d edges[3];
     int atCorner = -1;
     for (int k = 0; k < 3; ++k) {
-      const Vec3d offset = toDouble(topology.positions()[topology.triangles()[triangle][static_cast<std::size_t>(k)]]) - here;
+      const Vec3d offset =
+          toDouble(topology.positions()[topology.triangles()[triangle][static_cast<std::size_t>(k)]]) - here;
       if (length(offset) <= 2 * topology.contactDistance()) atCorner = k;
       edges[k] = normalize(offset);
     }
@@ -91,11 +94,12 @@ void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex
       addWedge(edges[(atCorner + 1) % 3], edges[(atCorner + 2) % 3], false);
       continue;
     }
-    // From inside the triangle its three edges span the whole plane. On an edge, that edge's own wedge is flat to
-    // rounding and the other two span the half plane.
+    // From inside the triangle its three edges span the whole plane. On an edge, that edge's own wedge is
+    // flat to rounding and the other two span the half plane.
     for (int k = 0; k < 3; ++k) {
       constexpr double kOnEdge = 1e-3;
-      if (length(cross(edges[k], edges[(k + 1) % 3])) > kOnEdge) addWedge(edges[k], edges[(k + 1) % 3], false);
+      if (length(cross(edges[k], edges[(k + 1) % 3])) > kOnEdge)
+        addWedge(edges[k], edges[(k + 1) % 3], false);
     }
   }
 }
@@ -113,12 +117,14 @@ std::uint32_t LocalHorizon::hidden(const RayPacket& rays) const {
     std::memcpy(&z, rays.z + first, sizeof z);
     const auto form = [&](const Vec3f& f) { return f.x * x + f.y * y + f.z * z; };
     const Masks below = form(facePlaneFloat_) < 0;
-    const auto choose = [&](const float (&origin)[2]) { return below ? Lanes{} + origin[1] : Lanes{} + origin[0]; };
+    const auto choose = [&](const float(&origin)[2]) {
+      return below ? Lanes{} + origin[1] : Lanes{} + origin[0];
+    };
     Masks hiddenLanes{};
     for (const Wedge& wedge : wedges_) {
       const Lanes plane = form(wedge.plane), originPlane = choose(wedge.originPlane);
-      // The ray o + t d meets the plane at t = -originPlane / plane, at a point whose two coordinates in the wedge have
-      // the signs of these products (the division by plane^2 is left out).
+      // The ray o + t d meets the plane at t = -originPlane / plane, at a point whose two coordinates in the
+      // wedge have the signs of these products (the division by plane^2 is left out).
       const Lanes side1 = (choose(wedge.originInside1) * plane - originPlane * form(wedge.inside1)) * plane;
       const Lanes side2 = (choose(wedge.originInside2) * plane - originPlane * form(wedge.inside2)) * plane;
       hiddenLanes |= (originPlane * plane < 0) & (side1 >= 0) & (side2 >= 0);

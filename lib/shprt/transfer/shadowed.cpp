@@ -1,10 +1,10 @@
-// Transfer of a diffuse surface under shadows: the mean of visibility times y_lm over cosine-distributed directions.
-// Based on: Sloan, Kautz and Snyder 2002, section 4.1 (self-shadowed diffuse transfer).
+// Transfer of a diffuse surface under shadows: the mean of visibility times y_lm over cosine-distributed
+// directions. Based on: Sloan, Kautz and Snyder 2002, section 4.1 (self-shadowed diffuse transfer).
 //
-// Directions come from a Fibonacci lattice, shifted at random for every vertex. What is estimated by rays is only the
-// difference from a known integral: with a the vertex's visible share, T = a U + mean((V - a) y), U being the unshadowed transfer.
-// Vertices that see everything or nothing come out exact, and few rays gain most. (a is measured from the same
-// rays, which leaves a bias of the order of the squared error.)
+// Directions come from a Fibonacci lattice, shifted at random for every vertex. What is estimated by rays is
+// only the difference from a known integral: with a the vertex's visible share, T = a U + mean((V - a) y), U
+// being the unshadowed transfer. Vertices that see everything or nothing come out exact, and few rays gain
+// most. (a is measured from the same rays, which leaves a bias of the order of the squared error.)
 
 #include <atomic>
 #include <cassert>
@@ -25,16 +25,26 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 // The points of one block go through here one after another; buffers are kept.
 class VertexBaker {
  public:
   VertexBaker(const SurfaceTopology& topology, const RayCaster& caster, const FibonacciHemisphere& lattice,
               const UnshadowedTransfer& unshadowed, const ShadowedOptions& options)
-      : topology_(topology), caster_(caster), lattice_(lattice), unshadowed_(unshadowed), options_(options),
-        x_(lattice.paddedCount()), y_(x_.size()), z_(x_.size()), weights_(x_.size()),
-        visible_(x_.size() / kRayPacketSize), transfer_(static_cast<std::size_t>(coefficientCount(options.degree))),
+      : topology_(topology),
+        caster_(caster),
+        lattice_(lattice),
+        unshadowed_(unshadowed),
+        options_(options),
+        x_(lattice.paddedCount()),
+        y_(x_.size()),
+        z_(x_.size()),
+        weights_(x_.size()),
+        visible_(x_.size() / kRayPacketSize),
+        transfer_(static_cast<std::size_t>(coefficientCount(options.degree))),
         differences_(transfer_.size()) {}
 
   // Bakes what all render vertices of a point share. Returns the number of rays that saw the sky.
@@ -59,7 +69,8 @@ class VertexBaker {
   int traceVisibility(std::uint32_t vertex) {
     const Vec3f origin = topology_.positions()[vertex];
     const std::uint32_t position = topology_.positionIds()[vertex];
-    const std::vector<std::uint32_t> touching = caster_.trianglesNear(origin, topology_.contactDistance(), position);
+    const std::vector<std::uint32_t> touching =
+        caster_.trianglesNear(origin, topology_.contactDistance(), position);
     const IgnoredTriangles ignored{position, touching, static_cast<float>(topology_.contactDistance())};
     horizon_.prepare(topology_, vertex, touching);
     int visible = 0;
@@ -81,9 +92,11 @@ class VertexBaker {
   void addDifference(double share) {
     for (std::size_t ray = 0; ray < weights_.size(); ++ray) {
       const bool seen = (visible_[ray / kRayPacketSize] >> (ray % kRayPacketSize)) & 1u;
-      weights_[ray] = ray < static_cast<std::size_t>(options_.rays) ? static_cast<float>((seen ? 1 : 0) - share) : 0.0f;
+      weights_[ray] =
+          ray < static_cast<std::size_t>(options_.rays) ? static_cast<float>((seen ? 1 : 0) - share) : 0.0f;
     }
-    accumulateSh(options_.degree, x_.data(), y_.data(), z_.data(), weights_.data(), weights_.size(), differences_.data());
+    accumulateSh(options_.degree, x_.data(), y_.data(), z_.data(), weights_.data(), weights_.size(),
+                 differences_.data());
     for (std::size_t i = 0; i < transfer_.size(); ++i) {
       transfer_[i] = share * transfer_[i] + differences_[i] / options_.rays;
     }
@@ -124,7 +137,8 @@ Bake bakeShadowed(const Mesh& mesh, std::span<const Vec3f> albedo, const Shadowe
     for (std::size_t point = begin; point < end; ++point) {
       const int visible = baker.bake(point);
       const auto vertices = topology.verticesOfPoint(point);
-      for (const std::uint32_t vertex : vertices) storeTransfer(baker.transfer(), albedo[vertex], vertex, bake.transfer);
+      for (const std::uint32_t vertex : vertices)
+        storeTransfer(baker.transfer(), albedo[vertex], vertex, bake.transfer);
       visibleRays += static_cast<std::uint64_t>(visible) * vertices.size();
       if (visible == options.rays) fullyVisible += vertices.size();
       if (visible == 0) fullyHidden += vertices.size();
@@ -140,7 +154,8 @@ Bake bakeShadowed(const Mesh& mesh, std::span<const Vec3f> albedo, const Shadowe
   statistics.traceSeconds = secondsSince(traceStart);
   statistics.embreeBytes = caster.peakMemory();
   statistics.rays = rays;
-  statistics.meanVisibility = static_cast<double>(visibleRays) / (static_cast<double>(options.rays) * static_cast<double>(mesh.positions.size()));
+  statistics.meanVisibility = static_cast<double>(visibleRays) / (static_cast<double>(options.rays) *
+                                                                  static_cast<double>(mesh.positions.size()));
   statistics.fullyVisible = fullyVisible;
   statistics.fullyHidden = fullyHidden;
   statistics.samplePoints = topology.pointCount();

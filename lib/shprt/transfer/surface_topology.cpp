@@ -11,7 +11,8 @@
 namespace shprt {
 namespace {
 
-// Lists, for each group, the items that belong to it: items of group g are members[starts[g]] to members[starts[g+1]].
+// Lists, for each group, the items that belong to it: items of group g are members[starts[g]] to
+// members[starts[g+1]].
 struct Grouping {
   std::vector<std::uint32_t> starts, members;
 };
@@ -25,7 +26,8 @@ Grouping groupBy(std::size_t itemCount, const auto& groupOf) {
   for (std::size_t g = 0; g < groups; ++g) grouping.starts[g + 1] += grouping.starts[g];
   grouping.members.resize(itemCount);
   std::vector<std::uint32_t> next(grouping.starts.begin(), grouping.starts.end() - 1);
-  for (std::size_t i = 0; i < itemCount; ++i) grouping.members[next[groupOf(i)]++] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < itemCount; ++i)
+    grouping.members[next[groupOf(i)]++] = static_cast<std::uint32_t>(i);
   return grouping;
 }
 
@@ -51,8 +53,10 @@ SurfaceTopology::SurfaceTopology(const Mesh& mesh)
       });
 
   float largest = 0;
-  for (const Vec3f& p : positions_) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  contactDistance_ = 4 * static_cast<double>(std::numeric_limits<float>::epsilon()) * static_cast<double>(largest);
+  for (const Vec3f& p : positions_)
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  contactDistance_ =
+      4 * static_cast<double>(std::numeric_limits<float>::epsilon()) * static_cast<double>(largest);
 }
 
 }  // namespace shprt

@@ -10,14 +10,14 @@
 
 namespace shprt {
 
-// A point is a distinct pair of position and normal: what is baked once and shared by the render vertices that differ
-// only in texture coordinate or material.
+// A point is a distinct pair of position and normal: what is baked once and shared by the render vertices
+// that differ only in texture coordinate or material.
 class SurfaceTopology {
  public:
   // The mesh must outlive the topology.
   explicit SurfaceTopology(const Mesh& mesh);
 
-  std::span<const Vec3f> positions() const { return positions_; }            // per vertex, scene frame
+  std::span<const Vec3f> positions() const { return positions_; }              // per vertex, scene frame
   std::span<const std::uint32_t> positionIds() const { return positionIds_; }  // per vertex
   std::span<const std::uint32_t> pointIds() const { return pointIds_; }        // per vertex
   std::span<const Triangle> triangles() const { return mesh_->triangles; }
@@ -26,14 +26,16 @@ class SurfaceTopology {
   std::size_t pointCount() const { return pointStarts_.size() - 1; }
   // The render vertices of a point, in increasing order.
   std::span<const std::uint32_t> verticesOfPoint(std::size_t point) const {
-    return std::span(pointVertices_).subspan(pointStarts_[point], pointStarts_[point + 1] - pointStarts_[point]);
+    return std::span(pointVertices_)
+        .subspan(pointStarts_[point], pointStarts_[point + 1] - pointStarts_[point]);
   }
   // All triangles with a corner at a position, in increasing order.
   std::span<const std::uint32_t> trianglesAt(std::uint32_t positionId) const {
     return std::span(incident_).subspan(incidentStarts_[positionId],
                                         incidentStarts_[positionId + 1] - incidentStarts_[positionId]);
   }
-  // Distance within which a vertex counts as lying on a triangle: the rounding of the coordinates, nothing more.
+  // Distance within which a vertex counts as lying on a triangle: the rounding of the coordinates, nothing
+  // more.
   double contactDistance() const { return contactDistance_; }
 
  private:

@@ -8,7 +8,8 @@
 
 namespace shprt {
 
-UnshadowedTransfer::UnshadowedTransfer(int degree) : degree_(degree), bandFactors_(clampedCosineFactors(degree)) {
+UnshadowedTransfer::UnshadowedTransfer(int degree)
+    : degree_(degree), bandFactors_(clampedCosineFactors(degree)) {
   for (double& factor : bandFactors_) factor /= std::numbers::pi;
 }
 
@@ -23,19 +24,22 @@ void UnshadowedTransfer::evaluate(Vec3d normal, std::span<double> results) const
 TransferCoefficients makeTransfer(std::span<const Vec3f> albedo, int degree) {
   TransferCoefficients transfer;
   transfer.degree = degree;
-  const bool grey = std::all_of(albedo.begin(), albedo.end(), [](Vec3f a) { return a.x == a.y && a.y == a.z; });
+  const bool grey =
+      std::all_of(albedo.begin(), albedo.end(), [](Vec3f a) { return a.x == a.y && a.y == a.z; });
   transfer.channels = grey ? 1 : 3;
   transfer.vertexCount = albedo.size();
-  transfer.values.resize(static_cast<std::size_t>(transfer.channels) * static_cast<std::size_t>(transfer.rows()) * albedo.size());
+  transfer.values.resize(static_cast<std::size_t>(transfer.channels) *
+                         static_cast<std::size_t>(transfer.rows()) * albedo.size());
   return transfer;
 }
 
-void storeTransfer(std::span<const double> transfer, Vec3f albedo, std::size_t vertex, TransferCoefficients& coefficients) {
+void storeTransfer(std::span<const double> transfer, Vec3f albedo, std::size_t vertex,
+                   TransferCoefficients& coefficients) {
   const float channelAlbedo[3] = {albedo.x, albedo.y, albedo.z};
   for (int channel = 0; channel < coefficients.channels; ++channel)
     for (int i = 0; i < coefficients.rows(); ++i) {
-      coefficients.row(channel, i)[vertex] =
-          static_cast<float>(static_cast<double>(channelAlbedo[channel]) * transfer[static_cast<std::size_t>(i)]);
+      coefficients.row(channel, i)[vertex] = static_cast<float>(static_cast<double>(channelAlbedo[channel]) *
+                                                                transfer[static_cast<std::size_t>(i)]);
     }
 }
 

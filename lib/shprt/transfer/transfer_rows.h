@@ -1,4 +1,5 @@
-// What every transport model shares: the unshadowed transfer, and writing a vertex's coefficients to its column.
+// What every transport model shares: the unshadowed transfer, and writing a vertex's coefficients to its
+// column.
 #pragma once
 
 #include <span>
@@ -9,7 +10,8 @@
 
 namespace shprt {
 
-// Cosine-weighted mean of y_lm over the hemisphere around a normal: (A_l / pi) y_lm(normal). Albedo is not in it.
+// Cosine-weighted mean of y_lm over the hemisphere around a normal: (A_l / pi) y_lm(normal). Albedo is not in
+// it.
 class UnshadowedTransfer {
  public:
   explicit UnshadowedTransfer(int degree);
@@ -25,6 +27,7 @@ class UnshadowedTransfer {
 TransferCoefficients makeTransfer(std::span<const Vec3f> albedo, int degree);
 
 // Writes albedo times transfer (cosine-weighted means, per unit albedo) for one vertex.
-void storeTransfer(std::span<const double> transfer, Vec3f albedo, std::size_t vertex, TransferCoefficients& coefficients);
+void storeTransfer(std::span<const double> transfer, Vec3f albedo, std::size_t vertex,
+                   TransferCoefficients& coefficients);
 
 }  // namespace shprt
