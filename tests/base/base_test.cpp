@@ -1,6 +1,7 @@
 // Errors in one line, files that appear whole or not at all, hashes against the standard's own vectors.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
