@@ -21,7 +21,7 @@ class MinimumReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      if (run.run_type != Run::RT_Iteration || run.iterations <= 0) continue;
       const double seconds = run.real_accumulated_time / static_cast<double>(run.iterations);
       const auto [it, fresh] = fastest_.try_emplace(run.run_name.function_name, seconds);
       if (!fresh) it->second = std::min(it->second, seconds);

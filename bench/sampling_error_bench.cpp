@@ -3,6 +3,7 @@
 // unshadowed transfer's norm; the reference is a bake of 65,536 rays with another seed. Prints a Markdown
 // table; times nothing. Usage: bench_sampling_error [MESH] [DEGREE] [REFERENCE_RAYS]
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <half.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>

@@ -1,6 +1,7 @@
 // Exact frames, welded positions, and the ray caster against geometry that can be worked out by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>

@@ -1,6 +1,7 @@
 // Spherical harmonics against 50-digit values, orthonormality, and the addition theorem.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -1,6 +1,7 @@
 // Which directions touching geometry hides, where a drawing tells the answer.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 

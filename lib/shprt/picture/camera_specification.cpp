@@ -1,4 +1,5 @@
 // Cameras from text: "eye:0,1,3 target:0,0,0 fov:40" or "orbit:azimuth,elevation,distance".
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>

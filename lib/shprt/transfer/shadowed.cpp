@@ -6,6 +6,7 @@
 // being the unshadowed transfer. Vertices that see everything or nothing come out exact, and few rays gain
 // most. (a is measured from the same rays, which leaves a bias of the order of the squared error.)
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <chrono>
