@@ -152,6 +152,16 @@ TEST(Images, RoundTripThroughTheFormats) {
   EXPECT_FALSE(fs::exists(scratch("a.nonsense")));
 }
 
+TEST(Images, PfmBeginsWithItsLowestRow) {
+  std::string bytes = "PF\n2 2\n-1.0\n";
+  for (const float row : {1.0f, 2.0f})
+    for (int i = 0; i < 6; ++i) bytes.append(reinterpret_cast<const char*>(&row), 4);
+  writeFile(scratch("rows.pfm"), bytes);
+  const Image image = loadImage(scratch("rows.pfm")).image;
+  EXPECT_EQ(image.at(0, 0).x, 2);
+  EXPECT_EQ(image.at(0, 1).x, 1);
+}
+
 TEST(Images, EveryTruncationEndsInAnErrorOrAPicture) {
   Image image{16, 8, std::vector<Vec3f>(128, Vec3f{1, 2, 3})};
   for (const char* name : {"t.exr", "t.hdr", "t.png"}) {

@@ -102,7 +102,10 @@ LoadedImage loadImage(const std::filesystem::path& path) {
   if (isCutPng(path)) fail(path, "is a truncated or damaged PNG file", "copy it again");
   LoadedImage loaded;
   try {
-    const auto input = OIIO::ImageInput::open(path.string());
+    // PFM files begin with their lowest row, which some versions of OpenImageIO heed only when told.
+    OIIO::ImageSpec hints;
+    hints.attribute("pnm:pfmflip", 1);
+    const auto input = OIIO::ImageInput::open(path.string(), &hints);
     if (!input) {
       const std::string reason = OIIO::geterror();
       fail(path, "cannot be read as an image: " + reason.substr(0, 200),
