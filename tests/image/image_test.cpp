@@ -53,6 +53,16 @@ TEST(Layouts, SolidAnglesCoverTheSphereOnce) {
   }
 }
 
+TEST(Layouts, BallsOfFewPixelsStillLookSomewhere) {
+  for (const EnvironmentLayout layout : {EnvironmentLayout::kAngularMap, EnvironmentLayout::kMirroredBall})
+    for (int size = 1; size < 5; ++size)
+      for (int i = 0; i < size * size; ++i) {
+        const PixelFootprint footprint = pixelFootprint(layout, size, size, i % size, i / size);
+        EXPECT_NEAR(length(footprint.direction), 1, 1e-12) << layoutName(layout) << " " << size << " " << i;
+        EXPECT_GT(footprint.solidAngle, 0);
+      }
+}
+
 TEST(Layouts, PositionsAndDirectionsAreInverse) {
   for (const Case& c : kCases)
     for (int y = 0; y < c.height; ++y)

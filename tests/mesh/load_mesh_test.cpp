@@ -106,6 +106,43 @@ TEST(LoadMesh, KeepsEveryKindOfNonManifoldFace) {
   EXPECT_EQ(sides, (std::set<float>{-1, 1}));
 }
 
+TEST(LoadMesh, EdgesOfThreeFacesAreHard) {
+  // Two gentle slopes that alone would be smooth, and a fin between them.
+  const std::string slopes = "v 0 0 0\nv 0 0 1\nv 1 0.1 0\nv -1 0.1 0\nv 0 1 0\nf 1 2 3\nf 2 1 4\n";
+  EXPECT_EQ(loadText("slopes.obj", slopes).positions.size(), 4u);
+  EXPECT_EQ(loadText("fin.obj", slopes + "f 1 2 5\n").positions.size(), 9u);
+  // The same whichever face comes last.
+  EXPECT_EQ(
+      loadText("fin.obj", "v 0 0 0\nv 0 0 1\nv 1 0.1 0\nv -1 0.1 0\nv 0 1 0\nf 1 2 3\nf 1 2 5\nf 2 1 4\n")
+          .positions.size(),
+      9u);
+}
+
+TEST(LoadMesh, QuadsAreCutAlongTheShorterDiagonal) {
+  const Mesh mesh = loadText("kite.obj", "v 0 0 0\nv 3 -1 0\nv 8 0 0\nv 3 1 0\nf 1 2 3 4\n");
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  for (const Triangle& triangle : mesh.triangles) {
+    int onShort = 0;
+    for (const std::uint32_t corner : triangle) onShort += mesh.positions[corner].x == 3;
+    EXPECT_EQ(onShort, 2);
+  }
+}
+
+TEST(LoadMesh, UnrollsTriangleStrips) {
+  const Mesh mesh = loadText(
+      "strip.ply",
+      "ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n2 2 0\n10 0 1 2 3 4 -1 4 3 5 6\n");
+  EXPECT_EQ(mesh.report.sourceFaces, 5u);
+  EXPECT_EQ(mesh.triangles.size(), 5u);
+  // All turn the same way, so all normals of the first strip agree.
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.positions[v].y >= 2) continue;
+    EXPECT_EQ(mesh.normals[v], (Vec3f{0, 0, 1})) << v;
+  }
+}
+
 TEST(LoadMesh, BadPositionsDoNotShiftIndices) {
   const Mesh mesh = loadText("shift.obj",
                              "v 0 0 0\nv nan 0 0\nv 1e400 0 0\nv 0,5 1 1\nv 1 2\nv 0x1p3 0 0\nv +1 0 0\nv 0 "

@@ -19,13 +19,15 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 TEST(SceneFrame, IsExactAtAnySizeAndPlace) {
   const std::vector<Vec3f> shape = {{0, 0, 0}, {1, 0.5f, 0.25f}, {0.125f, 1, 0.75f}};
   for (const float size : {1e-30f, 1e-4f, 1.0f, 1e6f, 1e30f})
-    for (const float away : {0.0f, -3.0f, 1e5f}) {
+    for (const float away : {0.0f, -3.0f, 1e5f, -1e5f}) {
       std::vector<Vec3f> positions;
       for (const Vec3f& p : shape)
         positions.push_back({p.x * size + away * size, p.y * size - away * size, p.z * size});
       const SceneFrame frame = chooseSceneFrame(positions);
       EXPECT_EQ(std::exp2(std::round(std::log2(frame.scale))), frame.scale);
       const std::vector<Vec3f> moved = toScene(frame, positions);
+      // Far away, what is left is of the size of the shape.
+      for (const Vec3f& p : moved) EXPECT_LT(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 8);
       double extent = 0;
       for (std::size_t i = 0; i < moved.size(); ++i)
         for (std::size_t j = 0; j < moved.size(); ++j) {

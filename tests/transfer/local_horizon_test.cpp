@@ -60,6 +60,15 @@ TEST(LocalHorizon, WallVertexInTheSameCornerSeesTheSameQuarter) {
   expectHidden(mesh, 10, {}, [](Vec3d d) { return -d.y; });
 }
 
+// Files often give normals that disagree with the winding; the side that the normal points to is the one that
+// is lit.
+TEST(LocalHorizon, WindingAgainstTheNormalChangesNothing) {
+  Mesh mesh = floorAndWall();
+  for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  expectHidden(mesh, 3, {}, [](Vec3d d) { return -d.x; });
+  expectHidden(mesh, 10, {}, [](Vec3d d) { return -d.y; });
+}
+
 TEST(LocalHorizon, SmoothNormalInTheCornerSeesTheQuarterToo) {
   Mesh mesh = floorAndWall();
   const Vec3f smooth = toFloat(normalize(kX + kY));

@@ -163,9 +163,9 @@ PixelFootprint ballFootprint(bool mirrored, int width, int height, int x, int y)
   if (whole) return {ballDirection(mirrored, u, v), inside * density / weights};
   // Sums over pixel centres miss (h^2/24) times the outward derivative along the rim (Euler and Maclaurin).
   // Partial pixels, half a pixel wide on average, make up for it when they look h/12 further out.
-  const double outward = 1 + (right - left) / 12 / std::hypot(sumU / weights, sumV / weights);
-  return {ballDirection(mirrored, outward * sumU / weights, outward * sumV / weights),
-          inside * density / weights};
+  const double middleU = sumU / weights, middleV = sumV / weights, distance = std::hypot(middleU, middleV);
+  const double outward = distance > 0 ? 1 + (right - left) / 12 / distance : 1;
+  return {ballDirection(mirrored, outward * middleU, outward * middleV), inside * density / weights};
 }
 
 PixelPosition ballPosition(bool mirrored, int width, int height, Vec3d direction) {

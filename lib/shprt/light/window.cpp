@@ -117,7 +117,7 @@ class Irradiance {
       for (const Vec3d offset : {side, -side, up, -up}) {
         const Vec3d there = normalize(here + offset * step);
         const double candidate = weigh(bandSums(there, start.colour), lambda);
-        if (candidate >= value) continue;
+        if (!(candidate < value)) continue;
         value = candidate;
         here = there;
         lower = true;
@@ -144,7 +144,8 @@ double directionalEnergy(const LightCoefficients& light) {
 double leastLambda(const Irradiance& irradiance) {
   if (irradiance.minimum(0, true) >= 0) return 0;
   double high = 1e-6;
-  while (irradiance.minimum(high, false) < 0) high *= 4;  // ends: at infinity only the average is left
+  // Ends: at infinity only the average is left.
+  while (irradiance.minimum(high, false) < 0) high *= 4;
   double low = high / 4;
   for (int step = 0; step < 40; ++step) {
     const double middle = std::sqrt(low * high);
