@@ -157,12 +157,16 @@ int runBake(const BakeOptions& options) {
     throw Error(options.output, "an asset is an OpenEXR file", "give a name that ends in .prt.exr");
   }
   checkInput(options.mesh);
-  checkOutput(options.output, {options.mesh});
-  checkOutput(options.common.jsonFile, {options.mesh});
+  const std::vector<std::string> inputs = {options.mesh};
+  checkOutput(options.output, inputs);
+  checkOutput(options.common.jsonFile, inputs);
+  checkDistinct(options.output, options.common);
   setThreadCount(options.threads);
 
   LoadedMesh loaded = loadMesh(options.mesh, {options.creaseAngle});
   const double loadSeconds = secondsSince(start);
+  checkOutput(options.output, loaded.sources);
+  checkOutput(options.common.jsonFile, loaded.sources);
   checkMemory(options.mesh, loaded.mesh.positions.size(), options.shadowed.degree);
   AlbedoChoice albedo = chooseAlbedo(loaded.mesh, options.albedo);
 

@@ -26,8 +26,10 @@ struct ConvertOptions {
 
 int runConvert(const ConvertOptions& options) {
   const Console console = makeConsole(options.common, options.output);
-  checkOutput(options.output, {});
-  checkOutput(options.common.jsonFile, {options.input});
+  const std::vector<std::string> inputs = {options.input};
+  checkOutput(options.output, inputs);
+  checkOutput(options.common.jsonFile, inputs);
+  checkDistinct(options.output, options.common);
   const FileKind kind = fileKind(options.input);
   if (kind != FileKind::kLight) {
     throw Error(options.input, std::string("is ") + kindName(kind) + ", and convert takes light files",

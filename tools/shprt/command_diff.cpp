@@ -51,7 +51,7 @@ Comparison compareFiles(const DiffOptions& options) {
 
 int runDiff(const DiffOptions& options) {
   const Console console = makeConsole(options.common, "");
-  checkOutput(options.common.jsonFile, {options.a, options.b});
+  checkOutput(options.common.jsonFile, std::vector<std::string>{options.a, options.b});
   Comparison comparison;
   try {
     comparison = compareFiles(options);

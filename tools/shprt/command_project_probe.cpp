@@ -78,12 +78,16 @@ void printResult(const Console& console, const ProbeOptions& options, const Load
 int runProjectProbe(const ProbeOptions& options) {
   const Console console = makeConsole(options.common, options.output);
   checkInput(options.input);
-  checkOutput(options.output, {options.input});
-  checkOutput(options.common.jsonFile, {options.input});
+  const std::vector<std::string> inputs = {options.input};
+  checkOutput(options.output, inputs);
+  checkOutput(options.common.jsonFile, inputs);
+  checkDistinct(options.output, options.common);
   if (isLightFile(options.input)) {
     throw Error(options.input, "is a light file already", "turn or cut it with shprt convert");
   }
   const LoadedLight loaded = loadLight(options.input, options.light);
+  checkOutput(options.output, loaded.sources);
+  checkOutput(options.common.jsonFile, loaded.sources);
   LightCoefficients light = loaded.light;
   if (options.rotation) light = rotateLight(light, *options.rotation);
   if (options.exposure) light = scaleLight(light, std::exp2(*options.exposure));

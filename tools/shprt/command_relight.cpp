@@ -110,6 +110,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   for (int frame = 0; frame < frames; ++frame) checkOutput(frameFile(options, frame), inputs);
   checkInput(options.asset);
   checkOutput(options.common.jsonFile, inputs);
+  checkDistinct(options.output, options.common);
   setThreadCount(options.threads);
 
   const TransferAsset asset = readAsset(options.asset);
@@ -117,13 +118,21 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
                 fmt::format("{}, {}, degree {}", options.asset,
                             countOf(asset.positions.size(), "vertex", "vertices"), asset.transfer.degree));
   const LightSum lights = addUpLights(console, options, asset.transfer.degree);
+  for (int frame = 0; frame < frames; ++frame) checkOutput(frameFile(options, frame), lights.sources);
+  checkOutput(options.common.jsonFile, lights.sources);
   backgroundMap(options, lights);
 
   const Clock::time_point start = Clock::now();
   // Frames are relit again when they are drawn: cheaper than keeping all of them.
   const FrameRadiance radiance = [&](int frame) {
     const std::optional<Mat3> rotation = frameRotation(options, frame);
-    return relight(asset.transfer, rotation ? rotateLight(lights.light, *rotation) : lights.light);
+    std::vector<Vec3f> values =
+        relight(asset.transfer, rotation ? rotateLight(lights.light, *rotation) : lights.light);
+    if (!std::all_of(values.begin(), values.end(), [](const Vec3f& value) { return isFinite(value); })) {
+      throw Error(options.asset, "radiance under this light is beyond float",
+                  "use a dimmer light or --exposure");
+    }
+    return values;
   };
   const std::vector<Vec3f> first = radiance(0);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

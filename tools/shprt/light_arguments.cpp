@@ -31,6 +31,7 @@ LoadedLight loadImageLight(const std::string& path, const LightOptions& options)
   loaded.projection = projectProbe(
       *loaded.map,
       {.degree = options.degree, .clampNegative = options.clampNegative, .strict = options.strict});
+  loaded.sources = loaded.map->sources;
   loaded.light = std::move(loaded.projection->light);
   loaded.notes.push_back(std::string("layout ") + layoutName(loaded.map->layout) + ", " +
                          loaded.map->layoutReason);
@@ -53,6 +54,7 @@ LoadedLight loadLight(const std::string& path, const LightOptions& options) {
     ProjectedList list = projectLightList(path, options.degree, options.strict);
     loaded.light = std::move(list.light);
     loaded.notes = std::move(list.notes);
+    loaded.sources = std::move(list.sources);
   } else if (looksLikeJson(path)) {
     // Says what is wrong with the JSON, or with its "format".
     loaded.light = readLight(path);

@@ -23,9 +23,10 @@ struct LightOptions {
 
 struct LoadedLight {
   LightCoefficients light;
-  std::optional<EnvironmentMap> map;          // images only
-  std::optional<ProbeProjection> projection;  // images only; its own light is moved to `light`
-  std::vector<std::string> notes;             // layout taken, pixels mended
+  std::optional<EnvironmentMap> map;           // images only
+  std::optional<ProbeProjection> projection;   // images only; its own light is moved to `light`
+  std::vector<std::string> notes;              // layout taken, pixels mended
+  std::vector<std::filesystem::path> sources;  // every file that was read
 };
 
 // Throws Error. --layout with anything but an image is a UsageError.

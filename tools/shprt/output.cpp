@@ -22,6 +22,20 @@ void checkOutput(const std::string& target, const std::vector<std::string>& inpu
   const AtomicFile attempt{fs::path(target)};
 }
 
+void checkOutput(const std::string& target, const std::vector<fs::path>& sources) {
+  std::vector<std::string> inputs;
+  for (const fs::path& source : sources) inputs.push_back(source.string());
+  checkOutput(target, inputs);
+}
+
+void checkDistinct(const std::string& output, const CommonOptions& common) {
+  if (output.empty() || output == "-" || common.jsonFile.empty()) return;
+  std::error_code ignored;
+  if (fs::weakly_canonical(output, ignored) == fs::weakly_canonical(common.jsonFile, ignored)) {
+    throw UsageError("--json: " + common.jsonFile + " is the output too");
+  }
+}
+
 std::string suffixOf(const std::string& path) {
   std::string suffix = fs::path(path).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),

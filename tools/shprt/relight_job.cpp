@@ -27,6 +27,7 @@ LightSum addUpLights(const Console& console, const RelightOptions& options, int 
     }
     lowest = std::min(lowest, loaded.light.degree);
     sum.light = i == 0 ? std::move(loaded.light) : addLights(sum.light, loaded.light);
+    sum.sources.insert(sum.sources.end(), loaded.sources.begin(), loaded.sources.end());
     if (loaded.map) sum.maps.push_back(std::move(*loaded.map));
   }
   // Bands the asset lacks would only be turned in vain.

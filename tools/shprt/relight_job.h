@@ -32,7 +32,8 @@ struct RelightOptions {
 // The lights added up, in their own orientation, times 2^exposure.
 struct LightSum {
   LightCoefficients light;
-  std::vector<EnvironmentMap> maps;  // of the lights that are images
+  std::vector<EnvironmentMap> maps;            // of the lights that are images
+  std::vector<std::filesystem::path> sources;  // every file that was read
 };
 
 // Says per light what was read, and notes where degrees differ: the bands that all have are used.

@@ -36,17 +36,17 @@ std::string readFile(const fs::path& path, std::uint64_t maximumBytes) {
     throw Error(path.string(), "no such file", "check the path");
   }
   if (fs::is_directory(status)) throw Error(path.string(), "is a directory", "give a file");
+  if (!fs::is_regular_file(status))
+    throw Error(path.string(), "is a pipe or device", "save its content to a file first");
   const FilePointer file(std::fopen(path.c_str(), "rb"));
   if (!file) throw Error(path.string(), "cannot be opened: " + systemMessage());
   std::string bytes;
-  if (fs::is_regular_file(status)) {
-    const std::uint64_t size = fs::file_size(path, ignored);
-    if (!ignored && size > maximumBytes) {
-      throw Error(path.string(),
-                  "has " + std::to_string(size) + " bytes, more than this kind of file may have");
-    }
-    if (!ignored) bytes.reserve(size);
+  const std::uint64_t size = fs::file_size(path, ignored);
+  if (!ignored && size > maximumBytes) {
+    throw Error(path.string(),
+                "has " + std::to_string(size) + " bytes, more than this kind of file may have");
   }
+  if (!ignored) bytes.reserve(size);
   std::array<char, 1 << 16> buffer;
   while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
     bytes.append(buffer.data(), got);

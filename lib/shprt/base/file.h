@@ -8,7 +8,7 @@
 
 namespace shprt {
 
-// The whole content of a file. Throws Error when it is missing, a directory, unreadable, or larger than
+// The whole content of a file. Throws Error when it is missing, no regular file, unreadable, or larger than
 // maximumBytes.
 std::string readFile(const std::filesystem::path& path, std::uint64_t maximumBytes = std::uint64_t{1} << 40);
 

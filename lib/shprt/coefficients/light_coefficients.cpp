@@ -88,7 +88,7 @@ LightCoefficients readLight(const std::filesystem::path& path) {
   if (version < 1 || version > kVersion) {
     file.fail("version",
               "is " + std::to_string(version) + "; this shprt reads up to " + std::to_string(kVersion),
-              "use a newer shprt");
+              version > kVersion ? "use a newer shprt" : "versions begin at 1");
   }
   checkBasis(file);
   LightCoefficients light;

@@ -85,13 +85,16 @@ EnvironmentMap loadFaces(const fs::path& path, const std::vector<fs::path>& face
 
 // Balls leave the corners of their square black.
 bool cornersAreBlack(const Image& image) {
+  bool any = false;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const double u = (2 * x + 1.0) / image.width - 1, v = (2 * y + 1.0) / image.height - 1;
       const Vec3f& pixel = image.at(x, y);
-      if (std::hypot(u, v) > 1.02 && pixel.x + pixel.y + pixel.z > 1e-3f) return false;
+      if (std::hypot(u, v) <= 1.02) continue;
+      any = true;
+      if (pixel.x + pixel.y + pixel.z > 1e-3f) return false;
     }
-  return true;
+  return any;
 }
 
 // The layout that a picture's metadata, name and shape speak for, and why. Throws Error when none does.

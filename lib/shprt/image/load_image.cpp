@@ -31,6 +31,8 @@ void checkIsFile(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status)) fail(path, "no such file", "check the path");
   if (std::filesystem::is_directory(status)) fail(path, "is a directory", "give an image file");
+  if (!std::filesystem::is_regular_file(status))
+    fail(path, "is a pipe or device", "save its content to a file first");
   if (std::filesystem::file_size(path, ignored) == 0) fail(path, "is empty", "give an image file");
   std::ifstream file(path, std::ios::binary);
   char start[24] = {};
@@ -131,7 +133,8 @@ LoadedImage loadImage(const std::filesystem::path& path) {
     const int channelsRead = *std::max_element(channels.begin(), channels.end()) + 1;
     std::vector<float> values(pixels * static_cast<std::uint64_t>(channelsRead));
     if (!input->read_image(0, 0, 0, channelsRead, OIIO::TypeDesc::FLOAT, values.data())) {
-      fail(path, "is damaged or truncated: " + input->geterror().substr(0, 200));
+      const std::string reason = input->geterror().substr(0, 200);
+      fail(path, "is damaged or truncated" + (reason.empty() ? "" : ": " + reason), "copy it again");
     }
     const bool encoded = spec.format.is_floating_point() == false;
     if (encoded) loaded.notes.push_back("integer pixels decoded from sRGB to linear");

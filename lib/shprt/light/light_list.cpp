@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "shprt/base/error.h"
+#include "shprt/coefficients/asset_file.h"
 #include "shprt/coefficients/json_input.h"
 #include "shprt/image/environment.h"
 #include "shprt/light/project_probe.h"
@@ -30,13 +31,24 @@ LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesyst
                "paths are relative to the list's folder");
   const double scale = entry.has("scale") ? entry.number("scale") : 1;
   if (scale < 0) entry.fail("scale", "is negative", "light cannot be negative");
+  if (!std::filesystem::is_regular_file(file) && !std::filesystem::is_directory(file)) {
+    entry.fail("file", "names " + file.string() + ", a pipe or device", "save its content to a file first");
+  }
+  if (isAssetFile(file))
+    entry.fail("file", "names " + file.string() + ", a baked asset", "give an image or a light file");
   LightCoefficients light;
   if (isLightFile(file)) {
     light = readLight(file);
     list.sources.push_back(file);
   } else {
     std::optional<EnvironmentLayout> layout;
-    if (entry.has("layout") && entry.text("layout") != "auto") layout = parseLayout(entry.text("layout"));
+    if (entry.has("layout") && entry.text("layout") != "auto") {
+      try {
+        layout = parseLayout(entry.text("layout"));
+      } catch (const Error& problem) {
+        entry.fail("layout", std::string("is wrong: ") + problem.what());
+      }
+    }
     const EnvironmentMap map = loadEnvironment(file, layout);
     const ProbeProjection projection = projectProbe(map, {.degree = degree, .strict = strict});
     light = projection.light;
@@ -51,7 +63,13 @@ LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesyst
       list.notes.push_back(name + ": " + std::to_string(projection.negativePixels) +
                            " negative pixels, used as they are");
   }
-  if (entry.has("rotate")) light = rotateLight(light, parseRotation(entry.text("rotate")));
+  if (entry.has("rotate")) {
+    try {
+      light = rotateLight(light, parseRotation(entry.text("rotate")));
+    } catch (const Error& problem) {
+      entry.fail("rotate", std::string("is wrong: ") + problem.what());
+    }
+  }
   return scaleLight(light, scale);
 }
 

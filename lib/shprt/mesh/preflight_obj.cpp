@@ -119,6 +119,7 @@ class ObjPreflight {
       normals_ += ' ';
     }
     normals_ += '\n';
+    if (!usable || zero) ++unusableNormals_;
     usableNormal_.push_back(usable && !zero);
   }
 
@@ -257,6 +258,10 @@ class ObjPreflight {
     if (colouredVertices_)
       file_.report.notes.push_back("colours of " + countOf(colouredVertices_, "vertex", "vertices") +
                                    " ignored");
+    if (unusableNormals_) {
+      file_.report.notes.push_back(countOf(unusableNormals_, "normal") +
+                                   " zero or not finite; computed where faces use them");
+    }
     if (badAttributes_)
       file_.report.notes.push_back(
           "some faces name texture coordinates or normals that cannot be read; they were left without");
@@ -269,7 +274,7 @@ class ObjPreflight {
   std::filesystem::path path_;
   CanonicalFile file_;
   std::string positions_, textures_, normals_;
-  std::uint64_t positionCount_ = 0, colouredVertices_ = 0;
+  std::uint64_t positionCount_ = 0, colouredVertices_ = 0, unusableNormals_ = 0;
   std::vector<bool> usableTexture_, usableNormal_;
   std::vector<Corner> corners_;
   std::vector<std::size_t> faceEnds_;
