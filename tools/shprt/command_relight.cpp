@@ -153,7 +153,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   if (negative > 0) {
     console.note(countOf(negative, "vertex has", "vertices have") +
                  " negative radiance, from the light's ringing" + (display ? ", shown as black" : "") +
-                 "; project-probe --window auto mends the light");
+                 "; project-probe --window hann softens the light");
   }
   writeResult(options, format, asset, first, radiance, lights, exposure);
   console.field("wrote", options.output == "-" ? "standard output"
