@@ -84,6 +84,17 @@ TEST(ReadFile, RefusesWhatCannotBeRead) {
   EXPECT_THROW(readFile(folder / "big", 999), Error);
 }
 
+TEST(ReadFirstBytes, GivesWhatIsThereAndNoMore) {
+  const fs::path folder = freshFolder("first");
+  writeFile(folder / "a", std::string("ab\0cd", 5));
+  EXPECT_EQ(readFirstBytes(folder / "a", 3), std::string("ab\0", 3));
+  EXPECT_EQ(readFirstBytes(folder / "a", 99).size(), 5u);
+  EXPECT_EQ(readFirstBytes(folder / "missing", 3), "");
+  EXPECT_EQ(readFirstBytes(folder, 3), "");
+  EXPECT_TRUE(isLfsPointer("version https://git-lfs.github.com/spec/v1\n"));
+  EXPECT_FALSE(isLfsPointer("version 1"));
+}
+
 TEST(Frame, IsOrthonormalAndRightHandedEverywhere) {
   for (const Vec3d direction :
        {Vec3d{0, 0, 1}, Vec3d{0, 0, -1}, Vec3d{1e-9, 0, -1}, Vec3d{1, 2, -3}, Vec3d{-1, 1e-12, 0}}) {

@@ -165,8 +165,8 @@ int runBake(const BakeOptions& options) {
 
   LoadedMesh loaded = loadMesh(options.mesh, {options.creaseAngle});
   const double loadSeconds = secondsSince(start);
-  checkOutput(options.output, loaded.sources);
-  checkOutput(options.common.jsonFile, loaded.sources);
+  checkNotInput(options.output, loaded.sources);
+  checkNotInput(options.common.jsonFile, loaded.sources);
   checkMemory(options.mesh, loaded.mesh.positions.size(), options.shadowed.degree);
   AlbedoChoice albedo = chooseAlbedo(loaded.mesh, options.albedo);
 

@@ -23,13 +23,6 @@ struct DiffOptions {
   CommonOptions common;
 };
 
-Comparison notComparable(const std::string& why) {
-  Comparison comparison;
-  comparison.comparable = false;
-  comparison.whyNot = why;
-  return comparison;
-}
-
 Comparison compareFiles(const DiffOptions& options) {
   const FileKind kindA = fileKind(options.a), kindB = fileKind(options.b);
   if (kindA != kindB)

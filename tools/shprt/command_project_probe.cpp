@@ -86,8 +86,8 @@ int runProjectProbe(const ProbeOptions& options) {
     throw Error(options.input, "is a light file already", "turn or cut it with shprt convert");
   }
   const LoadedLight loaded = loadLight(options.input, options.light);
-  checkOutput(options.output, loaded.sources);
-  checkOutput(options.common.jsonFile, loaded.sources);
+  checkNotInput(options.output, loaded.sources);
+  checkNotInput(options.common.jsonFile, loaded.sources);
   LightCoefficients light = loaded.light;
   if (options.rotation) light = rotateLight(light, *options.rotation);
   if (options.exposure) light = scaleLight(light, std::exp2(*options.exposure));

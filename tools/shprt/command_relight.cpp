@@ -118,8 +118,8 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
                 fmt::format("{}, {}, degree {}", options.asset,
                             countOf(asset.positions.size(), "vertex", "vertices"), asset.transfer.degree));
   const LightSum lights = addUpLights(console, options, asset.transfer.degree);
-  for (int frame = 0; frame < frames; ++frame) checkOutput(frameFile(options, frame), lights.sources);
-  checkOutput(options.common.jsonFile, lights.sources);
+  for (int frame = 0; frame < frames; ++frame) checkNotInput(frameFile(options, frame), lights.sources);
+  checkNotInput(options.common.jsonFile, lights.sources);
   backgroundMap(options, lights);
 
   const Clock::time_point start = Clock::now();

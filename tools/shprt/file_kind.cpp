@@ -1,13 +1,12 @@
 #include "file_kind.h"
 
-#include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "output.h"
 #include "shprt/base/error.h"
+#include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
 #include "shprt/coefficients/light_coefficients.h"
 #include "shprt/light/light_list.h"
@@ -28,12 +27,8 @@ bool isNamedAsset(const std::string& path) {
 }  // namespace
 
 bool looksLikeJson(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 64> start{};
-  file.read(start.data(), start.size());
-  for (std::streamsize i = 0; i < file.gcount(); ++i) {
-    const auto c = static_cast<unsigned char>(start[static_cast<std::size_t>(i)]);
-    if (!std::isspace(c)) return c == '{';
+  for (const char c : readFirstBytes(path, 64)) {
+    if (!std::isspace(static_cast<unsigned char>(c))) return c == '{';
   }
   return false;
 }

@@ -11,21 +11,20 @@
 namespace shprt {
 namespace fs = std::filesystem;
 
-void checkOutput(const std::string& target, const std::vector<std::string>& inputs) {
+void checkNotInput(const std::string& target, const std::vector<fs::path>& inputs) {
   if (target.empty() || target == "-") return;
-  for (const std::string& input : inputs) {
+  for (const fs::path& input : inputs) {
     std::error_code ignored;
     if (fs::equivalent(target, input, ignored)) {
       throw Error(target, "is an input and would be overwritten", "give another output file");
     }
   }
-  const AtomicFile attempt{fs::path(target)};
 }
 
-void checkOutput(const std::string& target, const std::vector<fs::path>& sources) {
-  std::vector<std::string> inputs;
-  for (const fs::path& source : sources) inputs.push_back(source.string());
-  checkOutput(target, inputs);
+void checkOutput(const std::string& target, const std::vector<std::string>& inputs) {
+  if (target.empty() || target == "-") return;
+  checkNotInput(target, {inputs.begin(), inputs.end()});
+  const AtomicFile attempt{fs::path(target)};
 }
 
 void checkDistinct(const std::string& output, const CommonOptions& common) {

@@ -17,8 +17,9 @@ using Json = nlohmann::ordered_json;
 // Throws Error when target cannot be written or is one of the inputs. "-" is always fine.
 void checkOutput(const std::string& target, const std::vector<std::string>& inputs);
 
-// The same for inputs that show themselves only while reading: materials of a mesh, probes of a list.
-void checkOutput(const std::string& target, const std::vector<std::filesystem::path>& sources);
+// Throws Error when target is one of the inputs; for those that show themselves only while reading: materials
+// of a mesh, probes of a list.
+void checkNotInput(const std::string& target, const std::vector<std::filesystem::path>& inputs);
 
 // Throws UsageError when the figures would go to the same file as the result.
 void checkDistinct(const std::string& output, const CommonOptions& common);

@@ -58,6 +58,18 @@ std::string readFile(const fs::path& path, std::uint64_t maximumBytes) {
   return bytes;
 }
 
+std::string readFirstBytes(const fs::path& path, std::size_t count) {
+  const FilePointer file(std::fopen(path.c_str(), "rb"));
+  if (!file) return {};
+  std::string bytes(count, '\0');
+  bytes.resize(std::fread(bytes.data(), 1, count, file.get()));
+  return bytes;
+}
+
+bool isLfsPointer(std::string_view bytes) {
+  return bytes.starts_with("version https://git-lfs");
+}
+
 std::string sha256(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;

@@ -1,6 +1,7 @@
 // Files as the project treats them: read whole, written beside the target and renamed into place.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -11,6 +12,13 @@ namespace shprt {
 // The whole content of a file. Throws Error when it is missing, no regular file, unreadable, or larger than
 // maximumBytes.
 std::string readFile(const std::filesystem::path& path, std::uint64_t maximumBytes = std::uint64_t{1} << 40);
+
+// At most `count` bytes from the beginning of a file, to see what it is; empty when it cannot be read.
+std::string readFirstBytes(const std::filesystem::path& path, std::size_t count);
+
+// Whether bytes begin like a git-LFS pointer, which stands where `git lfs pull` has not brought the file
+// itself.
+bool isLfsPointer(std::string_view bytes);
 
 // SHA-256 of bytes in lower-case hexadecimal, as `sha256sum` prints it.
 std::string sha256(std::string_view bytes);

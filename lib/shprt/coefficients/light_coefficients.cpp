@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
 #include "shprt/base/error.h"
@@ -20,15 +18,6 @@ namespace {
 constexpr int kVersion = 1;
 constexpr int kMaximumFileDegree = 4096;
 constexpr const char* kIndexName = "l(l+1)+m";
-
-// The beginning of a file, enough to see what it is.
-std::string firstBytes(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(4096, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  return bytes;
-}
 
 void checkBasis(const JsonObject& file) {
   const JsonObject basis = file.object("basis");
@@ -73,7 +62,7 @@ LightStatistics measureLight(const LightCoefficients& light) {
 }
 
 bool isLightFile(const std::filesystem::path& path) {
-  const std::string bytes = firstBytes(path);
+  const std::string bytes = readFirstBytes(path, 4096);
   const std::size_t brace = bytes.find_first_not_of(" \t\r\n");
   return brace != std::string::npos && bytes[brace] == '{' &&
          bytes.find("\"shprt-light\"") != std::string::npos;

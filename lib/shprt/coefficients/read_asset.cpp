@@ -13,10 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <memory>
 
 #include "shprt/base/error.h"
+#include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
 #include "shprt/coefficients/asset_layout.h"
 #include "shprt/coefficients/asset_metadata.h"
@@ -276,10 +276,7 @@ const char* compressionName(Imf::Compression compression) {
 }  // namespace
 
 bool isExrFile(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  char magic[4] = {};
-  file.read(magic, 4);
-  return file.gcount() == 4 && magic[0] == 0x76 && magic[1] == 0x2f && magic[2] == 0x31 && magic[3] == 0x01;
+  return readFirstBytes(path, 4) == "\x76\x2f\x31\x01";
 }
 
 bool isAssetFile(const std::filesystem::path& path) {

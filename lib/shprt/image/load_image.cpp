@@ -34,10 +34,7 @@ void checkIsFile(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(status))
     fail(path, "is a pipe or device", "save its content to a file first");
   if (std::filesystem::file_size(path, ignored) == 0) fail(path, "is empty", "give an image file");
-  std::ifstream file(path, std::ios::binary);
-  char start[24] = {};
-  file.read(start, sizeof start);
-  if (std::string(start, sizeof start).starts_with("version https://git-lfs")) {
+  if (isLfsPointer(readFirstBytes(path, 64))) {
     fail(path, "is a git-LFS pointer, not an image", "fetch it with: git lfs pull");
   }
 }

@@ -1,10 +1,9 @@
 #include "shprt/light/light_list.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "shprt/base/error.h"
+#include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
 #include "shprt/coefficients/json_input.h"
 #include "shprt/image/environment.h"
@@ -94,10 +93,7 @@ LightCoefficients projectEntry(const JsonObject& entry, const std::filesystem::p
 }  // namespace
 
 bool isLightList(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(std::size_t{1} << 16, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  const std::string bytes = readFirstBytes(path, std::size_t{1} << 16);
   const std::size_t brace = bytes.find_first_not_of(" \t\r\n");
   return brace != std::string::npos && bytes[brace] == '{' && bytes.find("\"lights\"") != std::string::npos;
 }

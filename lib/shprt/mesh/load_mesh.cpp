@@ -70,7 +70,7 @@ Preflight choosePreflight(const std::filesystem::path& path, std::string_view by
 LoadedMesh loadMesh(const std::filesystem::path& path, const LoadMeshOptions& options) {
   std::string bytes = readFile(path);
   if (bytes.empty()) throw Error(path.string(), "is empty", "give a mesh file");
-  if (bytes.starts_with("version https://git-lfs"))
+  if (isLfsPointer(bytes))
     throw Error(path.string(), "is a git-LFS pointer, not a mesh", "fetch it with: git lfs pull");
   std::vector<std::string> notes;
   const Preflight preflight = choosePreflight(path, bytes);

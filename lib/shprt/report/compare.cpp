@@ -44,13 +44,6 @@ class Tally {
   double squares_ = 0, referenceSquares_ = 0;
 };
 
-Comparison notComparable(const std::string& why) {
-  Comparison comparison;
-  comparison.comparable = false;
-  comparison.whyNot = why;
-  return comparison;
-}
-
 void compareGeometry(Comparison& comparison, const char* name, std::size_t count, const Tolerance& tolerance,
                      const std::function<std::pair<double, double>(std::size_t)>& values) {
   Tally tally(tolerance);
@@ -77,6 +70,13 @@ void compareVectors(Comparison& comparison, const char* name, const std::vector<
 }
 
 }  // namespace
+
+Comparison notComparable(const std::string& why) {
+  Comparison comparison;
+  comparison.comparable = false;
+  comparison.whyNot = why;
+  return comparison;
+}
 
 Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const Tolerance& tolerance) {
   if (a.transfer.vertexCount != b.transfer.vertexCount) {

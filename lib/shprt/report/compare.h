@@ -41,6 +41,9 @@ struct Comparison {
   bool equal() const { return comparable && total.beyond == 0 && differingParts.empty(); }
 };
 
+// The answer for files that have no common measure. why is one line.
+Comparison notComparable(const std::string& why);
+
 Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const Tolerance& tolerance);
 Comparison compareLights(const LightCoefficients& a, const LightCoefficients& b, const Tolerance& tolerance);
 Comparison compareImages(const Image& a, const Image& b, const Tolerance& tolerance);

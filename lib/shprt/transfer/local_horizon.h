@@ -38,8 +38,6 @@ class LocalHorizon {
 
   // Whether nothing that touches the vertex rises above its tangent plane.
   bool empty() const { return wedges_.empty(); }
-  // Wedges that can hide a ray of the hemisphere around the normal.
-  std::size_t wedgeCount() const { return wedges_.size(); }
 
   // A bit per lane, set when the direction is hidden. Directions are unit and on the normal's side.
   std::uint32_t hidden(const RayPacket& rays) const;
