@@ -12,6 +12,7 @@
 #include <fstream>
 #include <limits>
 
+#include "allocation_watch.h"
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
@@ -21,6 +22,18 @@ namespace {
 
 std::string scratch(const std::string& name) {
   return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
+}
+
+// A file written anew: overwriting one in place makes some file systems wait for the disk at every close.
+void writeBytes(const std::string& path, const std::string& bytes) {
+  std::filesystem::remove(path);
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// What a reader may ask for at once on behalf of a damaged file of a few kB: deflate's bound on what its
+// bytes can hold, twice because OpenEXR's buffers have room to spare, and a table of a million chunks.
+std::size_t allowedAllocation(std::size_t fileBytes) {
+  return std::size_t{2} * 1032 * fileBytes + (std::size_t{8} << 20);
 }
 
 TransferAsset makeAsset(int degree, int channels, std::size_t vertices, bool textured) {
@@ -84,6 +97,19 @@ TEST(AssetFile, ReadsBackTheSameBitsWithEveryCompression) {
   expectSame(high, readAsset(scratch("high.prt.exr")));
 }
 
+TEST(AssetFile, NothingIsTooUniformToBeReadBack) {
+  TransferAsset asset = makeAsset(4, 3, 30000, true);
+  std::fill(asset.transfer.values.begin(), asset.transfer.values.end(), 0.0f);
+  std::fill(asset.positions.begin(), asset.positions.end(), Vec3f{1, 1, 1});
+  for (auto& triangle : asset.triangles) triangle = {0, 0, 0};
+  for (const AssetCompression compression :
+       {AssetCompression::kNone, AssetCompression::kZip, AssetCompression::kZips, AssetCompression::kPiz})
+    for (const bool half : {false, true}) {
+      writeAsset(scratch("uniform.prt.exr"), asset, {.half = half, .compression = compression});
+      expectSame(asset, readAsset(scratch("uniform.prt.exr")));
+    }
+}
+
 TEST(AssetFile, EqualAssetsGiveEqualBytes) {
   writeAsset(scratch("one.prt.exr"), makeAsset(3, 3, 700, true), {.compression = AssetCompression::kZip});
   writeAsset(scratch("two.prt.exr"), makeAsset(3, 3, 700, true), {.compression = AssetCompression::kZip});
@@ -123,7 +149,7 @@ TEST(AssetFile, EveryTruncationIsRefused) {
   const std::string bytes = readFile(scratch("whole.prt.exr"));
   ASSERT_GT(bytes.size(), 1000u);
   for (std::size_t length = 0; length < bytes.size(); ++length) {
-    std::ofstream(scratch("cut.prt.exr"), std::ios::binary) << bytes.substr(0, length);
+    writeBytes(scratch("cut.prt.exr"), bytes.substr(0, length));
     EXPECT_THROW(readAsset(scratch("cut.prt.exr")), Error) << length << " of " << bytes.size();
     isAssetFile(scratch("cut.prt.exr"));
   }
@@ -134,10 +160,11 @@ TEST(AssetFile, FlippedBytesAreRefusedOrHarmless) {
     writeAsset(scratch("whole2.prt.exr"), makeAsset(1, 3, 6, true), {.compression = compression});
     const std::string bytes = readFile(scratch("whole2.prt.exr"));
     for (std::size_t at = 0; at < bytes.size(); at += at < 2000 ? 1 : 5)
-      for (const unsigned char flip : {0x01, 0xff}) {
+      for (const unsigned char flip : {0x01, 0x7f, 0xff}) {
         std::string damaged = bytes;
         damaged[at] = static_cast<char>(static_cast<unsigned char>(damaged[at]) ^ flip);
-        std::ofstream(scratch("flip.prt.exr"), std::ios::binary) << damaged;
+        writeBytes(scratch("flip.prt.exr"), damaged);
+        forgetAllocations();
         try {
           const TransferAsset asset = readAsset(scratch("flip.prt.exr"));
           ASSERT_EQ(asset.positions.size(), asset.transfer.vertexCount);
@@ -146,19 +173,21 @@ TEST(AssetFile, FlippedBytesAreRefusedOrHarmless) {
         } catch (const Error& error) {
           ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos);
         }
+        ASSERT_LE(largestAllocation(), allowedAllocation(bytes.size())) << "byte " << at;
       }
   }
 }
 
-// Replaces one occurrence of equal length in the file.
+// What the reader says after every occurrence of some bytes in a good file was replaced.
 std::string errorAfterReplacing(const std::string& from, const std::string& to) {
   writeAsset(scratch("edit.prt.exr"), makeAsset(1, 1, 5, false));
   std::string bytes = readFile(scratch("edit.prt.exr"));
-  const std::size_t at = bytes.find(from);
-  EXPECT_NE(at, std::string::npos);
+  EXPECT_NE(bytes.find(from), std::string::npos);
   EXPECT_EQ(from.size(), to.size());
-  bytes.replace(at, from.size(), to);
-  std::ofstream(scratch("edit.prt.exr"), std::ios::binary) << bytes;
+  for (std::size_t at = bytes.find(from); at != std::string::npos; at = bytes.find(from, at + to.size()))
+    bytes.replace(at, from.size(), to);
+  writeBytes(scratch("edit.prt.exr"), bytes);
+  forgetAllocations();
   try {
     readAsset(scratch("edit.prt.exr"));
   } catch (const Error& error) {
@@ -167,11 +196,14 @@ std::string errorAfterReplacing(const std::string& from, const std::string& to) 
   return "";
 }
 
-std::string attribute(const std::string& name, int value) {
-  const std::int32_t size = 4, v = value;
-  std::string bytes = name + std::string("\0int\0", 5);
-  bytes.append(reinterpret_cast<const char*>(&size), 4).append(reinterpret_cast<const char*>(&v), 4);
+std::string littleEndian(std::initializer_list<std::int32_t> words) {
+  std::string bytes;
+  for (const std::int32_t word : words) bytes.append(reinterpret_cast<const char*>(&word), 4);
   return bytes;
+}
+
+std::string attribute(const std::string& name, int value) {
+  return name + std::string("\0int\0", 5) + littleEndian({4, value});
 }
 
 TEST(AssetFile, RefusesWhatIsNewerOrInconsistent) {
@@ -186,6 +218,53 @@ TEST(AssetFile, RefusesWhatIsNewerOrInconsistent) {
   EXPECT_NE(errorAfterReplacing("\"degree\": 1", "\"degree\": 2").find("disagrees"), std::string::npos);
   EXPECT_NE(errorAfterReplacing("\"condonShortley\": false", "\"condonShortley\": true ").find("convention"),
             std::string::npos);
+  const auto expectError = [](const std::string& from, const std::string& to, const std::string& fragment) {
+    const std::string error = errorAfterReplacing(from, to);
+    EXPECT_NE(error.find(fragment), std::string::npos) << "'" << error << "' lacks '" << fragment << "'";
+  };
+  const std::string zero(1, '\0');
+  expectError(littleEndian({6}) + "albedo", littleEndian({6}) + "albexo", "part albedo is missing");
+  expectError(littleEndian({9}) + "triangles", littleEndian({9}) + "trianglez", "part triangles is missing");
+  expectError("C" + zero + littleEndian({0}), "D" + zero + littleEndian({0}),
+              "part triangles has the channels A,B,D instead of A,B,C");
+  expectError("Y" + zero + littleEndian({2}), "L" + zero + littleEndian({2}),
+              "part transfer has the channels L instead of Y or R,G,B");
+  expectError("Z" + zero + littleEndian({2}), "Z" + zero + littleEndian({1}),
+              "part positions has values of another type");
+  expectError(attribute("shprtRays", 64), attribute("shprtRays", 65), "shprtRays disagrees");
+  expectError("shprtDegree", "shprtDegrex", "attribute shprtDegree is missing");
+  expectError("\"rays\": 64", "\"rays\": -4", "shprtMetadata.rays is out of range");
+  expectError("\"rays\": 64", "\"rays\": .4", "shprtMetadata holds no JSON object");
+  expectError("\"zeroAreaTriangles\": 3", "\"zeroAreaTriangles\":-3",
+              "shprtMetadata.counts.zeroAreaTriangles is no whole number");
+  // The last row of 5 x 1 pixels becomes one of 4: a part that fits no other.
+  expectError(littleEndian({0, 0, 4, 0}), littleEndian({0, 0, 3, 0}), "part positions is 4 x 1, not 5 x 1");
+}
+
+TEST(AssetFile, RefusesClaimsWithoutTakingMemoryForThem) {
+  const std::string zero(1, '\0');
+  const auto expectRefusal = [&](const std::string& from, const std::string& to) {
+    const std::string error = errorAfterReplacing(from, to);
+    EXPECT_NE(error, "");
+    EXPECT_LT(largestAllocation(), std::size_t{16} << 20) << error;
+    forgetAllocations();
+    isAssetFile(scratch("edit.prt.exr"));
+    EXPECT_LT(largestAllocation(), std::size_t{16} << 20) << error;
+  };
+  // A string attribute of 2 GB.
+  expectRefusal("shprtModel" + zero + "string" + zero + littleEndian({8}),
+                "shprtModel" + zero + "string" + zero + littleEndian({0x7fffffff}));
+  // A billion vertices, in the windows of the geometry alone and of all parts; and a hundred thousand, for
+  // which the file is long enough to hold something that passes for the table of chunks.
+  constexpr std::int32_t kMany = 1'000'000'000;
+  expectRefusal(littleEndian({0, 0, 4, 0}), littleEndian({0, 0, kMany, 0}));
+  expectRefusal(littleEndian({0, 0, 4}), littleEndian({0, 0, kMany}));
+  EXPECT_NE(errorAfterReplacing(littleEndian({0, 0, 4}), littleEndian({0, 0, 100'000}))
+                .find("part transfer claims more data than"),
+            std::string::npos);
+  // Tiles of a billion pixels.
+  expectRefusal("tiledesc" + zero + littleEndian({9, 16384, 4}),
+                "tiledesc" + zero + littleEndian({9, kMany / 4, 4}));
 }
 
 TEST(AssetFile, RefusesIndicesAndValuesThatMakeNoSense) {

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numbers>
 
 #include "shprt/base/error.h"
@@ -22,6 +24,7 @@ LightCoefficients makeLight(int degree) {
   light.degree = degree;
   for (int i = 0; i < coefficientCount(degree); ++i)
     light.coefficients.push_back({std::exp(i % 30), std::sin(i) * 1e-300, -1.0 / (i + 1)});
+  light.coefficients[0][1] = -0.0;
   light.source = "a \"test\" \\ with\nmarks";
   light.statisticsJson = R"({"pixels":12})";
   return light;
@@ -35,6 +38,7 @@ TEST(LightFile, KeepsEveryBit) {
     const LightCoefficients back = readLight(scratch("light.json"));
     EXPECT_EQ(back.degree, degree);
     EXPECT_EQ(back.coefficients, light.coefficients);
+    EXPECT_TRUE(std::signbit(back.coefficients[0][1]));
     EXPECT_EQ(back.source, light.source);
     EXPECT_EQ(back.statisticsJson, light.statisticsJson);
   }
@@ -60,6 +64,33 @@ TEST(LightFile, MeasuresByDefinition) {
   for (std::size_t i = 0; i < 4; ++i) light.coefficients[i] = {y[i], y[i], y[i]};
   EXPECT_NEAR(measureLight(light).directionality[2], 1, 1e-15);
   EXPECT_NEAR(measureLight(light).dominantDirection[2], -0.8, 1e-15);
+}
+
+TEST(LightFile, EveryTruncationIsRefused) {
+  const std::string text = formatLight(makeLight(2));
+  const std::size_t last = text.rfind('}');
+  for (std::size_t length = 0; length <= last; ++length) {
+    std::filesystem::remove(scratch("cut.json"));
+    std::ofstream(scratch("cut.json"), std::ios::binary) << text.substr(0, length);
+    EXPECT_THROW(readLight(scratch("cut.json")), Error) << length;
+  }
+}
+
+TEST(LightFile, IsNotWrittenWithWhatItCannotHold) {
+  std::filesystem::remove(scratch("infinite.json"));
+  LightCoefficients light = makeLight(1);
+  light.coefficients[2][1] = std::numeric_limits<double>::infinity();
+  try {
+    writeLight(scratch("infinite.json"), light);
+    ADD_FAILURE() << "an infinite coefficient was written";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("coefficient 2 of the light is not finite"), std::string::npos)
+        << error.what();
+  }
+  light = makeLight(1);
+  light.coefficients.pop_back();
+  EXPECT_THROW(writeLight(scratch("infinite.json"), light), Error);
+  EXPECT_FALSE(std::filesystem::exists(scratch("infinite.json")));
 }
 
 TEST(LightFile, RefusesMistakesInOneLineThatNamesTheField) {
@@ -94,7 +125,9 @@ TEST(LightFile, RefusesMistakesInOneLineThatNamesTheField) {
       {errorOf(edited("[1,", "[\"x\",")), "coefficients[0] has an entry"},
       {errorOf(edited("[1,", "[1e999,")), "JSON"},
       {errorOf(edited("[1, ", "[")), "coefficients[0] does not have three numbers"},
-      {errorOf(edited("\"basis\"", "\"bases\"")), "basis is missing"}};
+      {errorOf(edited("\"basis\"", "\"bases\"")), "basis is missing"},
+      {errorOf(edited("\"statistics\": {\"pixels\":12}", "\"statistics\": 12")), "statistics is no object"},
+      {errorOf(edited("\"source\"", "\"source\": 1, \"was\"")), "source is no text"}};
   for (const auto& [message, fragment] : cases) {
     EXPECT_NE(message.find(fragment), std::string::npos) << "'" << message << "' lacks '" << fragment << "'";
     EXPECT_EQ(message.find('\n'), std::string::npos);

@@ -85,6 +85,24 @@ TEST(Compare, NotANumberIsNeverEqual) {
   EXPECT_TRUE(std::isnan(compareImages(a, b, {}).total.maximumError));
   Image infinite{1, 1, {{INFINITY, 0, 0}}};
   EXPECT_TRUE(compareImages(infinite, infinite, {}).equal());
+  // No relative tolerance makes an infinity agree with anything else.
+  const Image finite{1, 1, {{1, 0, 0}}}, negative{1, 1, {{-INFINITY, 0, 0}}};
+  EXPECT_FALSE(compareImages(infinite, finite, {.relative = 2, .absolute = 0}).equal());
+  EXPECT_FALSE(compareImages(infinite, negative, {.relative = 2, .absolute = 0}).equal());
+}
+
+TEST(Compare, PutsVerticesThatAreNoNumberFirst) {
+  TransferAsset a = makeAsset(1), b = a;
+  b.transfer.row(0, 1)[2] = NAN;
+  b.transfer.row(0, 3)[0] += 1;
+  a.transfer.row(0, 2)[1] = b.transfer.row(0, 2)[1] = INFINITY;  // the same on both sides: no difference
+  const Comparison comparison = compareAssets(a, b, {});
+  EXPECT_EQ(comparison.total.beyond, 2u);
+  ASSERT_EQ(comparison.worst.size(), 2u);
+  EXPECT_EQ(comparison.worst[0].vertex, 2u);
+  EXPECT_EQ(comparison.worst[0].coefficient, 1);
+  EXPECT_EQ(comparison.worst[1].vertex, 0u);
+  EXPECT_EQ(comparison.worst[1].error, 1);
 }
 
 TEST(Compare, ReportsAsTextAndJson) {

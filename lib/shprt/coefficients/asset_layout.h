@@ -20,7 +20,12 @@ inline constexpr const char* kDegreeAttribute = "shprtDegree";
 inline constexpr const char* kConventionAttribute = "shprtConvention";
 inline constexpr const char* kModelAttribute = "shprtModel";
 inline constexpr const char* kRaysAttribute = "shprtRays";
+inline constexpr const char* kSeedAttribute = "shprtSeed";  // a string: EXR has no 64-bit integers
+inline constexpr const char* kToolAttribute = "shprtTool";
 inline constexpr const char* kMetadataAttribute = "shprtMetadata";
+
+// Tiles of the part `transfer` are as high as the image and at most this wide.
+inline constexpr unsigned kMaximumTileWidth = 16384;
 
 inline constexpr const char* kConvention =
     "real orthonormal SH, index l(l+1)+m, no Condon-Shortley phase; right-handed, +Y up; linear Rec.709; "

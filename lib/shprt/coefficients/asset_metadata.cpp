@@ -1,16 +1,28 @@
 #include "shprt/coefficients/asset_metadata.h"
 
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "shprt/base/error.h"
 #include "shprt/coefficients/asset_layout.h"
+#include "shprt/coefficients/basis_name.h"
+#include "shprt/coefficients/json_input.h"
 
 namespace shprt {
+namespace {
 
-using Json = nlohmann::ordered_json;
+int smallInteger(const JsonObject& json, const char* field) {
+  const std::int64_t value = json.integer(field);
+  if (value < 0 || value > std::numeric_limits<int>::max()) json.fail(field, "is out of range");
+  return static_cast<int>(value);
+}
+
+}  // namespace
 
 std::string formatMetadata(const TransferAsset& asset) {
   const AssetMetadata& metadata = asset.metadata;
+  using Json = nlohmann::ordered_json;
   Json sources = Json::array();
   for (const SourceFile& source : metadata.sources)
     sources.push_back({{"file", source.file}, {"sha256", source.sha256}});
@@ -18,7 +30,7 @@ std::string formatMetadata(const TransferAsset& asset) {
       {"format", "shprt-transfer"},
       {"version", asset_layout::kFormatVersion},
       {"tool", metadata.toolVersion},
-      {"basis", {{"convention", "real-orthonormal"}, {"condonShortley", false}, {"index", "l(l+1)+m"}}},
+      {"basis", {{"convention", kBasisConvention}, {"condonShortley", false}, {"index", kBasisIndex}}},
       {"degree", asset.transfer.degree},
       {"channels", asset.transfer.channels},
       {"model", metadata.model},
@@ -32,33 +44,34 @@ std::string formatMetadata(const TransferAsset& asset) {
 }
 
 ParsedMetadata parseMetadata(const std::filesystem::path& path, const std::string& text) {
-  ParsedMetadata parsed;
-  try {
-    const Json json = Json::parse(text);
-    const Json& basis = json.at("basis");
-    if (json.at("format") != "shprt-transfer" || basis.at("convention") != "real-orthonormal" ||
-        basis.at("condonShortley") != false || basis.at("index") != "l(l+1)+m") {
-      throw Error(path.string(), "attribute shprtMetadata: another format or convention than this shprt's",
-                  "bake it again");
-    }
-    parsed.degree = json.at("degree").get<int>();
-    parsed.channels = json.at("channels").get<int>();
-    AssetMetadata& metadata = parsed.metadata;
-    metadata.formatVersion = json.at("version").get<int>();
-    metadata.toolVersion = json.at("tool").get<std::string>();
-    metadata.model = json.at("model").get<std::string>();
-    metadata.rays = json.at("rays").get<int>();
-    metadata.seed = json.at("seed").get<std::uint64_t>();
-    for (const Json& source : json.at("sources")) {
-      metadata.sources.push_back(
-          {source.at("file").get<std::string>(), source.at("sha256").get<std::string>()});
-    }
-    metadata.seconds = json.at("seconds").get<std::map<std::string, double>>();
-    metadata.counts = json.at("counts").get<std::map<std::string, std::uint64_t>>();
-    metadata.notes = json.at("notes").get<std::vector<std::string>>();
-  } catch (const Json::exception&) {
-    throw Error(path.string(), "attribute shprtMetadata cannot be read",
+  const nlohmann::json content = nlohmann::json::parse(text, nullptr, false);
+  if (!content.is_object()) {
+    throw Error(path.string(), "attribute shprtMetadata holds no JSON object",
                 "the file is damaged; bake it again");
+  }
+  const JsonObject json(path.string(), "shprtMetadata", content);
+  if (json.text("format") != "shprt-transfer") json.fail("format", "is not 'shprt-transfer'");
+  checkBasis(json);
+  ParsedMetadata parsed;
+  parsed.degree = smallInteger(json, "degree");
+  parsed.channels = smallInteger(json, "channels");
+  AssetMetadata& metadata = parsed.metadata;
+  metadata.formatVersion = smallInteger(json, "version");
+  metadata.toolVersion = json.text("tool");
+  metadata.model = json.text("model");
+  metadata.rays = smallInteger(json, "rays");
+  metadata.seed = json.natural("seed");
+  const nlohmann::json& sources = json.list("sources");
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const JsonObject source(path.string(), "shprtMetadata.sources[" + std::to_string(i) + "]", sources[i]);
+    metadata.sources.push_back({source.text("file"), source.text("sha256")});
+  }
+  const JsonObject seconds = json.object("seconds"), counts = json.object("counts");
+  for (const std::string& name : seconds.names()) metadata.seconds[name] = seconds.number(name);
+  for (const std::string& name : counts.names()) metadata.counts[name] = counts.natural(name);
+  for (const nlohmann::json& note : json.list("notes")) {
+    if (!note.is_string()) json.fail("notes", "has an entry that is no text");
+    metadata.notes.push_back(note.get<std::string>());
   }
   return parsed;
 }

@@ -10,7 +10,7 @@ namespace shprt {
 
 std::string formatMetadata(const TransferAsset& asset);
 // path is for messages. Fills degree, channels and everything of AssetMetadata; the caller compares the first
-// two with the parts. Throws Error when the text makes no sense.
+// two with the parts. Throws Error naming the field that is missing or makes no sense.
 struct ParsedMetadata {
   int degree = 0, channels = 0;
   AssetMetadata metadata;

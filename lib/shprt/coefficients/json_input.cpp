@@ -66,6 +66,18 @@ std::int64_t JsonObject::integer(std::string_view name) const {
   return value.get<std::int64_t>();
 }
 
+std::uint64_t JsonObject::natural(std::string_view name) const {
+  const nlohmann::json& value = field(name);
+  if (!value.is_number_unsigned()) fail(name, "is no whole number from 0 up");
+  return value.get<std::uint64_t>();
+}
+
+const nlohmann::json& JsonObject::list(std::string_view name) const {
+  const nlohmann::json& value = field(name);
+  if (!value.is_array()) fail(name, "is no list", "write it as [...]");
+  return value;
+}
+
 std::array<double, 3> JsonObject::triple(std::string_view name) const {
   const nlohmann::json& value = field(name);
   if (!value.is_array() || value.size() != 3) fail(name, "does not have three numbers", "write [a, b, c]");
@@ -80,6 +92,12 @@ std::array<double, 3> JsonObject::triple(std::string_view name) const {
 
 JsonObject JsonObject::object(std::string_view name) const {
   return {file_, place_.empty() ? std::string(name) : place_ + "." + std::string(name), field(name)};
+}
+
+std::vector<std::string> JsonObject::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : value_.items()) names.push_back(name);
+  return names;
 }
 
 void JsonObject::allowOnly(std::initializer_list<std::string_view> fields) const {

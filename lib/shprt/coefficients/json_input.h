@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shprt {
 
@@ -26,8 +27,12 @@ class JsonObject {
   std::string text(std::string_view name) const;
   double number(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
+  std::uint64_t natural(std::string_view name) const;       // the whole range of 64 bits
+  const nlohmann::json& list(std::string_view name) const;  // an array, of any content
   std::array<double, 3> triple(std::string_view name) const;
   JsonObject object(std::string_view name) const;
+
+  std::vector<std::string> names() const;
 
   // Throws Error when the object has any other field.
   void allowOnly(std::initializer_list<std::string_view> fields) const;

@@ -9,6 +9,7 @@
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 #include "shprt/base/vec.h"
+#include "shprt/coefficients/basis_name.h"
 #include "shprt/coefficients/json_input.h"
 #include "shprt/sh/basis.h"
 
@@ -17,17 +18,10 @@ namespace {
 
 constexpr int kVersion = 1;
 constexpr int kMaximumFileDegree = 4096;
-constexpr const char* kIndexName = "l(l+1)+m";
 
-void checkBasis(const JsonObject& file) {
-  const JsonObject basis = file.object("basis");
-  const nlohmann::json& phase = basis.field("condonShortley");
-  if (basis.text("convention") != "real-orthonormal" || !phase.is_boolean() || phase.get<bool>() ||
-      basis.text("index") != kIndexName) {
-    file.fail("basis",
-              "is another convention than real-orthonormal without Condon-Shortley phase, index l(l+1)+m",
-              "convert the file first");
-  }
+// The shortest text that reads back as the same double. JSON's -0 is an integer, which has no sign.
+std::string formatDouble(double value) {
+  return value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value);
 }
 
 }  // namespace
@@ -103,10 +97,9 @@ LightCoefficients readLight(const std::filesystem::path& path) {
     }
     light.coefficients.push_back(rgb);
   }
-  if (file.has("source") && content["source"].is_string())
-    light.source = content["source"].get<std::string>();
+  if (file.has("source")) light.source = file.text("source");
   if (file.has("statistics")) {
-    if (!content["statistics"].is_object()) file.fail("statistics", "is no object");
+    file.object("statistics");
     light.statisticsJson = content["statistics"].dump();
   }
   return light;
@@ -115,12 +108,13 @@ LightCoefficients readLight(const std::filesystem::path& path) {
 std::string formatLight(const LightCoefficients& light) {
   std::string text = fmt::format(
       "{{\n  \"format\": \"shprt-light\",\n  \"version\": {},\n  \"basis\": {{\"convention\": "
-      "\"real-orthonormal\", \"condonShortley\": false, \"index\": \"{}\"}},\n"
+      "\"{}\", \"condonShortley\": false, \"index\": \"{}\"}},\n"
       "  \"degree\": {},\n  \"coefficients\": [\n",
-      kVersion, kIndexName, light.degree);
+      kVersion, kBasisConvention, kBasisIndex, light.degree);
   for (std::size_t i = 0; i < light.coefficients.size(); ++i) {
     const auto& [r, g, b] = light.coefficients[i];
-    text += fmt::format("    [{}, {}, {}]{}\n", r, g, b, i + 1 < light.coefficients.size() ? "," : "");
+    text += fmt::format("    [{}, {}, {}]{}\n", formatDouble(r), formatDouble(g), formatDouble(b),
+                        i + 1 < light.coefficients.size() ? "," : "");
   }
   text += "  ]";
   if (!light.source.empty())
@@ -131,6 +125,15 @@ std::string formatLight(const LightCoefficients& light) {
 }
 
 void writeLight(const std::filesystem::path& path, const LightCoefficients& light) {
+  if (light.coefficients.size() != static_cast<std::size_t>(coefficientCount(light.degree)))
+    throw Error(path.string(), "the light does not have as many coefficients as its degree asks for");
+  for (std::size_t i = 0; i < light.coefficients.size(); ++i) {
+    for (const double value : light.coefficients[i]) {
+      if (!std::isfinite(value))
+        throw Error(path.string(), "coefficient " + std::to_string(i) + " of the light is not finite",
+                    "JSON cannot hold it; look for infinite pixels or scales");
+    }
+  }
   writeFile(path, formatLight(light));
 }
 

@@ -39,7 +39,7 @@ LightCoefficients readLight(const std::filesystem::path& path);
 // The text of a light file: doubles in shortest form that reads back to the same bits.
 std::string formatLight(const LightCoefficients& light);
 
-// Writes formatLight() atomically.
+// Writes formatLight() atomically. Throws Error when a coefficient is not finite or the count is wrong.
 void writeLight(const std::filesystem::path& path, const LightCoefficients& light);
 
 }  // namespace shprt

@@ -3,10 +3,8 @@
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
-#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfTiledInputPart.h>
 
@@ -16,30 +14,15 @@
 #include <memory>
 
 #include "shprt/base/error.h"
-#include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
 #include "shprt/coefficients/asset_layout.h"
 #include "shprt/coefficients/asset_metadata.h"
+#include "shprt/coefficients/exr_input.h"
 
 namespace shprt {
 namespace {
 
 using namespace asset_layout;
-
-int width(const Imf::Header& header) {
-  return header.dataWindow().max.x - header.dataWindow().min.x + 1;
-}
-int height(const Imf::Header& header) {
-  return header.dataWindow().max.y - header.dataWindow().min.y + 1;
-}
-
-std::string channelNames(const Imf::Header& header) {
-  std::string names;
-  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-    names += (names.empty() ? "" : ",") + std::string(channel.name());
-  }
-  return names;
-}
 
 const char* typeName(const Imf::Header& header) {
   const auto first = header.channels().begin();
@@ -47,13 +30,20 @@ const char* typeName(const Imf::Header& header) {
   return first.channel().type == Imf::HALF ? "half" : first.channel().type == Imf::FLOAT ? "float" : "uint";
 }
 
-std::unique_ptr<Imf::MultiPartInputFile> openExr(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) throw Error(path.string(), "no such file", "check the path");
-  if (!isExrFile(path)) throw Error(path.string(), "is no OpenEXR file", "give an asset made by shprt bake");
-  try {
-    return std::make_unique<Imf::MultiPartInputFile>(path.c_str(), 0, false);
-  } catch (const std::exception&) {
-    throw Error(path.string(), "is a damaged or truncated OpenEXR file", "bake it again");
+// The most that one byte of a file can stand for; 0 where an asset may not be stored so.
+std::uint64_t mostExpansion(Imf::Compression compression) {
+  switch (compression) {
+    case Imf::NO_COMPRESSION:
+      return 1;
+    case Imf::RLE_COMPRESSION:
+      return 64;
+    case Imf::ZIP_COMPRESSION:
+    case Imf::ZIPS_COMPRESSION:
+      return 1032;  // deflate's bound
+    case Imf::PIZ_COMPRESSION:
+      return 512;  // a run of at most 255 16-bit values takes ten bits
+    default:
+      return 0;
   }
 }
 
@@ -109,10 +99,16 @@ class AssetReader {
     return part;
   }
 
-  // No compression of OpenEXR makes more than this of one byte.
-  void checkSize(const char* name, std::uint64_t claimed) const {
-    constexpr std::uint64_t kMostExpansion = 2048;
-    if (claimed / kMostExpansion > bytes_)
+  // What all parts have in common: lossless, anchored at pixel 0,0, and no larger than the file can hold.
+  void checkStorage(const char* name, const Imf::Header& header, std::uint64_t bytesPerPixel) const {
+    const std::uint64_t expansion = mostExpansion(header.compression());
+    if (expansion == 0)
+      fail(std::string("part ") + name + " has a compression other than none, rle, zip, zips and piz");
+    if (header.dataWindow().min != Imath::V2i(0, 0))
+      fail(std::string("part ") + name + " does not begin at pixel 0,0");
+    const std::uint64_t claimed = static_cast<std::uint64_t>(width(header)) *
+                                  static_cast<std::uint64_t>(height(header)) * bytesPerPixel;
+    if (claimed / expansion > bytes_)
       fail(std::string("part ") + name + " claims more data than " + std::to_string(bytes_) +
            " bytes can hold");
   }
@@ -128,8 +124,9 @@ class AssetReader {
     const auto* degree = header.findTypedAttribute<Imf::IntAttribute>(kDegreeAttribute);
     const auto* convention = header.findTypedAttribute<Imf::StringAttribute>(kConventionAttribute);
     const auto* metadata = header.findTypedAttribute<Imf::StringAttribute>(kMetadataAttribute);
-    if (!degree || !convention || !metadata)
-      fail("part transfer lacks an attribute (shprtDegree, shprtConvention or shprtMetadata)");
+    if (!degree) fail("attribute shprtDegree is missing");
+    if (!convention) fail("attribute shprtConvention is missing");
+    if (!metadata) fail("attribute shprtMetadata is missing");
     if (convention->value() != kConvention)
       fail("attribute shprtConvention names another convention", "bake it again with this shprt");
     ParsedMetadata parsed = parseMetadata(path_, metadata->value());
@@ -155,10 +152,31 @@ class AssetReader {
           channel.channel().ySampling != 1)
         fail("part transfer holds no float or half values");
     }
-    if (!header.hasTileDescription()) fail("part transfer is not tiled");
-    checkSize(kTransfer, std::uint64_t{2} * static_cast<std::uint64_t>(transfer.rows() * transfer.channels) *
-                             transfer.vertexCount);
+    checkTiles(header);
+    // Half is the least that a value takes.
+    checkStorage(kTransfer, header, std::uint64_t{2} * static_cast<std::uint64_t>(transfer.channels));
+    checkAttributes(header, parsed.metadata);
     asset_.metadata = std::move(parsed.metadata);
+  }
+
+  // OpenEXR takes memory for whole tiles, however few pixels lie in them.
+  void checkTiles(const Imf::Header& header) const {
+    if (!header.hasTileDescription()) fail("part transfer is not tiled");
+    const Imf::TileDescription& tiles = header.tileDescription();
+    if (tiles.mode != Imf::ONE_LEVEL || tiles.xSize > kMaximumTileWidth ||
+        tiles.ySize != static_cast<unsigned>(asset_.transfer.rows())) {
+      fail("part transfer has tiles of " + std::to_string(tiles.xSize) + " x " + std::to_string(tiles.ySize) +
+           " instead of at most " + std::to_string(kMaximumTileWidth) + " x " +
+           std::to_string(asset_.transfer.rows()) + " on one level");
+    }
+  }
+
+  // Attributes repeat what the JSON says, for tools that show them; the two may not tell different stories.
+  void checkAttributes(const Imf::Header& header, const AssetMetadata& metadata) const {
+    const auto* model = header.findTypedAttribute<Imf::StringAttribute>(kModelAttribute);
+    const auto* rays = header.findTypedAttribute<Imf::IntAttribute>(kRaysAttribute);
+    if (model && model->value() != metadata.model) fail("attribute shprtModel disagrees with shprtMetadata");
+    if (rays && rays->value() != metadata.rays) fail("attribute shprtRays disagrees with shprtMetadata");
   }
 
   // The width of a one-row part, after all checks. expected 0: any.
@@ -178,7 +196,7 @@ class AssetReader {
       fail(std::string("part ") + name + " is " + std::to_string(count) + " x " +
            std::to_string(height(header)) + (expected ? ", not " + std::to_string(expected) + " x 1" : ""));
     }
-    checkSize(name, count * bytesPerPixel);
+    checkStorage(name, header, bytesPerPixel);
     return count;
   }
 
@@ -195,16 +213,15 @@ class AssetReader {
                void* values, std::size_t stride) const {
     const int index = require(name);
     guarded(name, [&] {
-      const Imath::Box2i& window = file_->header(index).dataWindow();
       Imf::FrameBuffer frame;
-      char* base = static_cast<char*>(values) - static_cast<std::ptrdiff_t>(stride) * window.min.x;
+      char* base = static_cast<char*>(values);
       for (const char* channel : channels) {
         frame.insert(channel, Imf::Slice(type, base, stride, 0));
         base += 4;
       }
       Imf::InputPart part(*file_, index);
       part.setFrameBuffer(frame);
-      part.readPixels(window.min.y, window.max.y);
+      part.readPixels(0);
     });
   }
 
@@ -213,17 +230,13 @@ class AssetReader {
     guarded(kTransfer, [&] {
       transfer.values.resize(static_cast<std::size_t>(transfer.channels * transfer.rows()) *
                              transfer.vertexCount);
-      const Imath::Box2i& window = file_->header(0).dataWindow();
       Imf::FrameBuffer frame;
       for (int channel = 0; channel < transfer.channels; ++channel) {
-        float* origin =
-            transfer.row(channel, 0) - window.min.x -
-            static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(transfer.vertexCount);
         frame.insert(transfer.channels == 1 ? "Y"
                      : channel == 0         ? "R"
                      : channel == 1         ? "G"
                                             : "B",
-                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(origin), sizeof(float),
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(transfer.row(channel, 0)), sizeof(float),
                                 transfer.vertexCount * sizeof(float)));
       }
       Imf::TiledInputPart part(*file_, 0);
@@ -238,17 +251,29 @@ class AssetReader {
                                        [](float value) { return !std::isfinite(value); });
     if (badValue != transfer.values.end()) {
       const auto index = static_cast<std::size_t>(badValue - transfer.values.begin());
+      const std::size_t coefficient =
+          index / transfer.vertexCount % static_cast<std::size_t>(transfer.rows());
       fail("part transfer holds a value that is not finite at vertex " +
-           std::to_string(index % transfer.vertexCount));
+           std::to_string(index % transfer.vertexCount) + ", coefficient " + std::to_string(coefficient));
     }
-    const auto allFinite = [](const std::vector<Vec3f>& vectors) {
-      return std::all_of(vectors.begin(), vectors.end(), [](const Vec3f& v) { return isFinite(v); });
-    };
-    if (!allFinite(asset_.positions) || !allFinite(asset_.normals) || !allFinite(asset_.albedo))
-      fail("a position, normal or albedo is not finite");
-    for (const auto& triangle : asset_.triangles) {
-      if (std::max({triangle[0], triangle[1], triangle[2]}) >= transfer.vertexCount)
-        fail("part triangles names a vertex that does not exist");
+    checkFinite(kPositions, asset_.positions);
+    checkFinite(kNormals, asset_.normals);
+    checkFinite(kAlbedo, asset_.albedo);
+    for (std::size_t t = 0; t < asset_.triangles.size(); ++t) {
+      const std::uint32_t largest = *std::max_element(asset_.triangles[t].begin(), asset_.triangles[t].end());
+      if (largest >= transfer.vertexCount) {
+        fail("part triangles names vertex " + std::to_string(largest) + " in triangle " + std::to_string(t) +
+             ", but there are " + std::to_string(transfer.vertexCount));
+      }
+    }
+  }
+
+  void checkFinite(const char* name, const std::vector<Vec3f>& vectors) const {
+    const auto bad =
+        std::find_if(vectors.begin(), vectors.end(), [](const Vec3f& v) { return !isFinite(v); });
+    if (bad != vectors.end()) {
+      fail(std::string("part ") + name + " holds a value that is not finite at vertex " +
+           std::to_string(bad - vectors.begin()));
     }
   }
 
@@ -262,6 +287,8 @@ const char* compressionName(Imf::Compression compression) {
   switch (compression) {
     case Imf::NO_COMPRESSION:
       return "none";
+    case Imf::RLE_COMPRESSION:
+      return "rle";
     case Imf::ZIP_COMPRESSION:
       return "zip";
     case Imf::ZIPS_COMPRESSION:
@@ -275,16 +302,12 @@ const char* compressionName(Imf::Compression compression) {
 
 }  // namespace
 
-bool isExrFile(const std::filesystem::path& path) {
-  return readFirstBytes(path, 4) == "\x76\x2f\x31\x01";
-}
-
 bool isAssetFile(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored) || !isExrFile(path)) return false;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
   try {
-    return isAsset(Imf::MultiPartInputFile(path.c_str(), 0, false));
-  } catch (const std::exception&) {
+    return isAsset(*openExr(path));
+  } catch (const Error&) {
     return false;
   }
 }

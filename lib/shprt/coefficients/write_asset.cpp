@@ -47,7 +47,7 @@ Imf::Compression compressionOf(AssetCompression compression) {
 int tileWidth(const TransferCoefficients& transfer, std::size_t bytesPerValue) {
   const std::size_t perVertex = bytesPerValue * static_cast<std::size_t>(transfer.rows() * transfer.channels);
   const std::size_t vertices = (std::size_t{4} << 20) / perVertex / 64 * 64;
-  return static_cast<int>(std::clamp<std::size_t>(vertices, 64, 16384));
+  return static_cast<int>(std::clamp<std::size_t>(vertices, 64, kMaximumTileWidth));
 }
 
 class AssetWriter {
@@ -80,7 +80,8 @@ class AssetWriter {
 
  private:
   void check() const {
-    const std::size_t count = asset_.transfer.vertexCount;
+    const TransferCoefficients& transfer = asset_.transfer;
+    const std::size_t count = transfer.vertexCount;
     if (count == 0 || asset_.triangles.empty())
       throw Error(name_.string(), "the asset has no vertices or no triangles");
     if (count > 0x7fffffff || asset_.triangles.size() > 0x7fffffff) {
@@ -91,6 +92,13 @@ class AssetWriter {
     if (asset_.positions.size() != count || asset_.normals.size() != count || asset_.albedo.size() != count ||
         (!asset_.textureCoordinates.empty() && asset_.textureCoordinates.size() != count)) {
       throw Error(name_.string(), "the asset's parts have different numbers of vertices");
+    }
+    if (transfer.degree < 0 || transfer.degree > kMaximumBakeDegree ||
+        (transfer.channels != 1 && transfer.channels != 3) ||
+        transfer.values.size() != static_cast<std::size_t>(transfer.channels * transfer.rows()) * count) {
+      throw Error(name_.string(),
+                  "the asset's transfer does not have the size that its degree, channels and "
+                  "vertices ask for");
     }
   }
 
@@ -142,6 +150,8 @@ class AssetWriter {
     header.insert(kConventionAttribute, Imf::StringAttribute(kConvention));
     header.insert(kModelAttribute, Imf::StringAttribute(asset_.metadata.model));
     header.insert(kRaysAttribute, Imf::IntAttribute(asset_.metadata.rays));
+    header.insert(kSeedAttribute, Imf::StringAttribute(std::to_string(asset_.metadata.seed)));
+    header.insert(kToolAttribute, Imf::StringAttribute(asset_.metadata.toolVersion));
     header.insert(kMetadataAttribute, Imf::StringAttribute(formatMetadata(asset_)));
     headers.push_back(makeHeader(kPositions, transfer.vertexCount, 1, {"X", "Y", "Z"}, Imf::FLOAT));
     headers.push_back(makeHeader(kNormals, transfer.vertexCount, 1, {"X", "Y", "Z"}, Imf::FLOAT));

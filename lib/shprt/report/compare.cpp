@@ -12,7 +12,11 @@
 namespace shprt {
 namespace {
 
-// Collects differences; a value that is not finite on either side agrees with nothing but the same infinity.
+// |a - b|; NaN agrees with nothing, an infinity only with itself.
+double errorBetween(double a, double b) {
+  return a == b ? 0 : std::abs(a - b);
+}
+
 class Tally {
  public:
   explicit Tally(const Tolerance& tolerance) : tolerance_(tolerance) {}
@@ -20,10 +24,11 @@ class Tally {
   void add(double a, double b) {
     ++differences_.compared;
     referenceSquares_ += a * a;
-    if (a == b) return;
-    const double error = std::abs(a - b);
+    const double error = errorBetween(a, b);
+    if (error == 0) return;
     const double allowed = tolerance_.absolute + tolerance_.relative * std::max(std::abs(a), std::abs(b));
-    if (!(error <= allowed)) ++differences_.beyond;
+    // Relative to an infinity everything would be within tolerance.
+    if (!std::isfinite(error) || error > allowed) ++differences_.beyond;
     if (!(error <= differences_.maximumError) && !std::isnan(differences_.maximumError))
       differences_.maximumError = error;
     squares_ += error * error;
@@ -100,11 +105,13 @@ Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const T
         const float* rowB = b.transfer.row(b.transfer.channels == 1 ? 0 : channel, i);
         for (std::size_t v = 0; v < vertices; ++v) {
           const double valueA = static_cast<double>(rowA[v]), valueB = static_cast<double>(rowB[v]),
-                       error = std::abs(valueA - valueB);
+                       error = errorBetween(valueA, valueB);
           total.add(valueA, valueB);
           band.add(valueA, valueB);
-          squares[v] += error * error;
-          if (error > largest[v]) largest[v] = error, largestAt[v] = i;
+          // NaN has no place in an order; as the worst error it comes first.
+          const double ranked = std::isnan(error) ? HUGE_VAL : error;
+          squares[v] += ranked * ranked;
+          if (ranked > largest[v]) largest[v] = ranked, largestAt[v] = i;
         }
       }
     comparison.perDegree.push_back(band.result());
