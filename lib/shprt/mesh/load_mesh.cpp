@@ -10,43 +10,12 @@
 #include "shprt/mesh/preflight.h"
 #include "shprt/mesh/render_vertices.h"
 #include "shprt/mesh/text.h"
+#include "shprt/mesh/text_encoding.h"
 
 namespace shprt {
 namespace {
 
 using Preflight = CanonicalFile (*)(const std::filesystem::path&, std::string);
-
-// UTF-16 to UTF-8, as far as mesh files need it: pairs of surrogates become question marks, only comments
-// have them.
-std::string fromUtf16(std::string_view bytes, bool bigEndian) {
-  std::string text;
-  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
-    const auto first = static_cast<unsigned char>(bytes[i]),
-               second = static_cast<unsigned char>(bytes[i + 1]);
-    const unsigned unit = bigEndian ? first * 256u + second : second * 256u + first;
-    if (unit < 0x80) {
-      text += static_cast<char>(unit);
-    } else if (unit < 0x800) {
-      text += static_cast<char>(0xc0 | unit >> 6);
-      text += static_cast<char>(0x80 | (unit & 63));
-    } else {
-      text += '?';
-    }
-  }
-  return text;
-}
-
-// Byte-order marks, and UTF-16 with or without one, give way to plain bytes.
-std::string decodeText(std::string bytes, std::vector<std::string>& notes) {
-  if (bytes.starts_with("\xef\xbb\xbf")) return bytes.substr(3);
-  const std::string_view view = bytes;
-  const bool marked = view.starts_with("\xff\xfe") || view.starts_with("\xfe\xff");
-  const bool looksBig = view.size() >= 4 && view[0] == 0 && view[1] != 0 && view[2] == 0 && view[3] != 0;
-  const bool looksLittle = view.size() >= 4 && view[0] != 0 && view[1] == 0 && view[2] != 0 && view[3] == 0;
-  if (!marked && !looksBig && !looksLittle) return bytes;
-  notes.push_back("UTF-16 text converted");
-  return fromUtf16(view.substr(marked ? 2 : 0), marked ? view[0] == '\xfe' : looksBig);
-}
 
 Preflight choosePreflight(const std::filesystem::path& path, std::string_view bytes) {
   std::string suffix = path.extension().string();
@@ -74,7 +43,14 @@ LoadedMesh loadMesh(const std::filesystem::path& path, const LoadMeshOptions& op
     throw Error(path.string(), "is a git-LFS pointer, not a mesh", "fetch it with: git lfs pull");
   std::vector<std::string> notes;
   const Preflight preflight = choosePreflight(path, bytes);
-  if (preflight == preflightObj || preflight == preflightOff) bytes = decodeText(std::move(bytes), notes);
+  if (preflight == preflightObj || preflight == preflightOff) {
+    bytes = decodeText(std::move(bytes), notes);
+  } else {
+    // PLY and STL may be binary: they are decoded only when that brings their first word to light.
+    std::vector<std::string> ignored;
+    const std::string head = decodeText(bytes.substr(0, 64), ignored);
+    if (head.starts_with("ply") || head.starts_with("solid")) bytes = decodeText(std::move(bytes), notes);
+  }
   CanonicalFile file = preflight(path, std::move(bytes));
   file.report.notes.insert(file.report.notes.begin(), notes.begin(), notes.end());
 

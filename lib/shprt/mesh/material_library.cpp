@@ -5,6 +5,7 @@
 
 #include "shprt/base/file.h"
 #include "shprt/mesh/text.h"
+#include "shprt/mesh/text_encoding.h"
 
 namespace shprt {
 namespace {
@@ -15,9 +16,13 @@ std::string textureName(std::string_view line) {
     line = trimBlanks(line);
     std::string_view rest = line;
     std::string_view token = takeToken(rest);
-    if (token.size() < 2 || token.front() != '-' || parseNumber(token)) return std::string(line);
+    if (token.size() < 2 || token.front() != '-' || parseFloat(token)) return std::string(line);
     line = rest;
-    for (token = takeToken(rest); parseNumber(token) || token == "on" || token == "off";
+    if (token == "-imfchan" || token == "-type") {
+      takeToken(line);
+      continue;
+    }
+    for (token = takeToken(rest); parseFloat(token) || token == "on" || token == "off";
          token = takeToken(rest))
       line = rest;
   }
@@ -28,7 +33,7 @@ std::string textureName(std::string_view line) {
 void readMaterialLibrary(const std::filesystem::path& path, MaterialLibrary& library,
                          std::vector<std::string>& notes) {
   constexpr std::uint64_t kMaximumBytes = std::uint64_t{1} << 28;
-  const std::string bytes = readFile(path, kMaximumBytes);
+  const std::string bytes = decodeText(readFile(path, kMaximumBytes), notes);
   const std::string name = path.filename().string();
   std::string_view text = bytes;
   Material* current = nullptr;
@@ -41,14 +46,14 @@ void readMaterialLibrary(const std::filesystem::path& path, MaterialLibrary& lib
       current = fresh ? &entry->second : nullptr;
     } else if (current && keyword == "Kd") {
       std::array<float, 3> colour{};
-      bool readable = true;
+      bool readable = true, clamped = false;
       for (float& channel : colour) {
         const std::optional<float> value = parseFloat(takeToken(line));
         readable = readable && value;
         channel = std::clamp(value.value_or(0), 0.0f, 1.0f);
-        if (value && channel != *value)
-          notes.push_back(name + ": Kd of '" + shownToken(current->name) + "' clamped to [0,1]");
+        clamped = clamped || (value && channel != *value);
       }
+      if (clamped) notes.push_back(name + ": Kd of '" + shownToken(current->name) + "' clamped to [0,1]");
       if (readable) {
         current->diffuse = {colour[0], colour[1], colour[2]};
         current->hasDiffuse = true;

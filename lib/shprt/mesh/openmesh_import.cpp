@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
@@ -183,6 +184,14 @@ class ClassicLocale {
 
 RawMesh importWithOpenMesh(const std::string& path, CanonicalFile& file) {
   using OpenMesh::IO::Options;
+  // OpenMesh counts vertices in int, the arrays here count corners of polygons and of triangles in 32 bits.
+  const std::uint64_t most = std::max(file.corners, 3 * (file.corners - 2 * file.faces));
+  if (file.vertices > std::numeric_limits<std::int32_t>::max() ||
+      most > std::numeric_limits<std::uint32_t>::max())
+    throw Error(path,
+                "has " + std::to_string(file.vertices) + " vertices and " + std::to_string(file.corners) +
+                    " corners, more than 32-bit indices can name",
+                "split the mesh");
   omlog().disable();
   omout().disable();
   omerr().disable();
@@ -199,7 +208,8 @@ RawMesh importWithOpenMesh(const std::string& path, CanonicalFile& file) {
   }
   RawMesh mesh = std::move(importer.mesh);
   const bool welded = file.extension == "stl";  // its vertices are not known before OpenMesh welds them
-  if (!understood || mesh.faceCount() != file.faces || (!welded && mesh.positions.size() != file.vertices)) {
+  if (!understood || mesh.faceCount() != file.faces || mesh.corners.size() != file.corners ||
+      (!welded && mesh.positions.size() != file.vertices)) {
     throw Error(path,
                 "OpenMesh delivered " + std::to_string(mesh.positions.size()) + " vertices and " +
                     std::to_string(mesh.faceCount()) + " faces of " + std::to_string(file.vertices) +
@@ -219,6 +229,7 @@ RawMesh importWithOpenMesh(const std::string& path, CanonicalFile& file) {
   copyDuplicates(importer.vertexTextureCoordinates);
   spreadToCorners(importer.vertexNormals, mesh.corners, mesh.cornerNormals);
   spreadToCorners(importer.vertexTextureCoordinates, mesh.corners, mesh.cornerTextureCoordinates);
+  if (!file.cornerNormals.empty()) mesh.cornerNormals = std::move(file.cornerNormals);
   if (!file.cornerTextureCoordinates.empty())
     mesh.cornerTextureCoordinates = std::move(file.cornerTextureCoordinates);
   // Faces after the last one that had any are without.

@@ -107,7 +107,8 @@ PlyReader::PlyReader(std::string_view bytes, std::string path) : bytes_(bytes), 
 }
 
 void PlyReader::readHeader() {
-  if (takeLine(bytes_) != "ply") throw Error(path_, "does not begin with 'ply'", "give a PLY file");
+  if (trimBlanks(takeLine(bytes_)) != "ply")
+    throw Error(path_, "does not begin with 'ply'", "give a PLY file");
   bool hasFormat = false;
   for (;;) {
     if (bytes_.empty()) fail("the header has no end_header");
@@ -162,8 +163,11 @@ double PlyReader::readValue(PlyType type) {
       bytes_.remove_prefix(1);
     const std::size_t length = std::min(bytes_.size(), bytes_.find_first_of(" \t\v\f\r\n"));
     if (length == 0) throw std::out_of_range("the file ends");
-    const std::optional<double> value = parseNumber(bytes_.substr(0, length));
-    if (!value) throw std::out_of_range("'" + shownToken(bytes_.substr(0, length)) + "' is no number");
+    // Straight to float where that is the type: by way of double it could end on the neighbour.
+    const std::string_view token = bytes_.substr(0, length);
+    const std::optional<double> value =
+        type == PlyType::kFloat32 ? std::optional<double>(parseReal<float>(token)) : parseReal<double>(token);
+    if (!value) throw std::out_of_range("'" + shownToken(token) + "' is no number");
     bytes_.remove_prefix(length);
     return *value;
   }

@@ -35,6 +35,8 @@ class PlyReader {
   const std::vector<PlyElement>& elements() const { return elements_; }
   bool ascii() const { return encoding_ == Encoding::kAscii; }
   std::uint64_t overlongLines() const { return overlongLines_; }
+  // Bytes not read yet.
+  std::uint64_t bytesLeft() const { return bytes_.size(); }
 
   // The next record of the element that is due: values[property] has one value, or a list's values. Throws
   // Error, naming element and record, at the end of the bytes or at a token that is no number. In ASCII a

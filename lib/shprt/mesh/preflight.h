@@ -32,6 +32,8 @@ class FaceFilter {
   bool keep(std::vector<std::int64_t>& corners);
 
  private:
+  void separateRepeats(std::vector<std::int64_t>& corners);
+
   std::uint64_t vertexCount_;
   CanonicalFile& file_;
 };

@@ -1,5 +1,5 @@
 // Wavefront OBJ: every line is judged, indices are made absolute and checked, faces get their material's
-// number.
+// number. A corner whose texture coordinate or normal cannot be used is left without, its face stays.
 
 #include <array>
 #include <map>
@@ -39,8 +39,8 @@ class ObjPreflight {
     std::string joined;
     while (!text.empty()) {
       std::string_view line = takeLine(text);
-      // A backslash at the end of a line continues it.
-      if (!line.empty() && line.back() == '\\') {
+      // A backslash at the end of a line continues it; at the end of a comment it is part of a Windows path.
+      if (!line.empty() && line.back() == '\\' && !trimBlanks(line).starts_with('#')) {
         joined.assign(line.substr(0, line.size() - 1));
         while (!text.empty()) {
           line = takeLine(text);
@@ -91,6 +91,8 @@ class ObjPreflight {
       ++file_.report.nonFiniteVertices;
     }
     ++positionCount_;
+    // A fourth number is a weight, which only curves use; more are a colour.
+    line = line.substr(0, line.find('#'));
     takeToken(line);
     takeToken(line);
     if (!takeToken(line).empty()) ++colouredVertices_;
@@ -206,13 +208,12 @@ class ObjPreflight {
     for (std::size_t face = 0; face < faceEnds_.size(); ++face) {
       const std::size_t end = faceEnds_[face];
       indices.clear();
-      bool textured = true, withNormals = true;
+      bool textured = false, withNormals = false;
       for (std::size_t c = begin; c < end; ++c) {
-        const Corner& corner = corners_[c];
+        Corner& corner = corners_[c];
         indices.push_back(corner.position);
-        textured = textured && isUsable(corner.texture, usableTexture_);
-        withNormals = withNormals && isUsable(corner.normal, usableNormal_);
-        if (corner.texture == kBad || corner.normal == kBad) badAttributes_ = true;
+        textured = settle(corner.texture, usableTexture_, badTextures_) || textured;
+        withNormals = settle(corner.normal, usableNormal_, badNormals_) || withNormals;
       }
       if (filter.keep(indices)) {
         out += 'f';
@@ -220,8 +221,8 @@ class ObjPreflight {
           out += ' ';
           appendInteger(out, indices[c - begin] + 1);
           if (textured || withNormals) out += '/';
-          if (textured) appendInteger(out, corners_[c].texture + 1);
-          if (withNormals) appendInteger(out += '/', corners_[c].normal + 1);
+          if (textured) appendInteger(out, indexOrNext(corners_[c].texture, usableTexture_));
+          if (withNormals) appendInteger(out += '/', indexOrNext(corners_[c].normal, usableNormal_));
         }
         out += '\n';
         file_.faceMaterials.push_back(faceMaterials_[face]);
@@ -232,12 +233,25 @@ class ObjPreflight {
     file_.vertices = positionCount_ + file_.duplicateOf.size();
     // Appended vertices only need a place of their own; their positions are copied after parsing.
     for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i) out += "v 0 0 0\n";
+    // OpenMesh wants all corners of a face with or all without; these stand in where some have none.
+    out += "vt 0 0\nvn 0 0 0\n";
     corners_ = std::vector<Corner>();
   }
 
-  static bool isUsable(std::int64_t index, const std::vector<bool>& usable) {
-    return index >= 0 && index < static_cast<std::int64_t>(usable.size()) &&
-           usable[static_cast<std::size_t>(index)];
+  // Whether the record that a corner names can be used; when it cannot, it is counted and the corner has
+  // none.
+  static bool settle(std::int32_t& index, const std::vector<bool>& usable, std::uint64_t& bad) {
+    if (index >= 0 && static_cast<std::size_t>(index) < usable.size() &&
+        usable[static_cast<std::size_t>(index)])
+      return true;
+    if (index != kNone) ++bad;
+    index = kNone;
+    return false;
+  }
+
+  // Counted from 1; the stand-in after the last record for a corner that has none.
+  static long long indexOrNext(std::int32_t index, const std::vector<bool>& records) {
+    return (index == kNone ? static_cast<long long>(records.size()) : index) + 1;
   }
 
   void finishReport() {
@@ -262,13 +276,23 @@ class ObjPreflight {
       file_.report.notes.push_back(countOf(unusableNormals_, "normal") +
                                    " zero or not finite; computed where faces use them");
     }
-    if (badAttributes_)
-      file_.report.notes.push_back(
-          "some faces name texture coordinates or normals that cannot be read; they were left without");
+    if (badTextures_)
+      file_.report.notes.push_back(countOf(badTextures_, "corner") +
+                                   " without the texture coordinates they name, which cannot be used");
+    if (badNormals_)
+      file_.report.notes.push_back(countOf(badNormals_, "corner") +
+                                   " without the normals they name, which cannot be used");
+    // A file of garbage has no end of keywords.
+    constexpr std::size_t kShownKeywords = 20;
+    std::size_t shown = 0;
+    std::uint64_t others = 0;
     for (const auto& [keyword, count] : ignoredLines_) {
-      file_.report.notes.push_back(countOf(count, "line") + " '" + keyword + "' ignored");
-      if (file_.report.notes.size() > 50) break;  // a file of garbage has no end of keywords
+      if (shown++ < kShownKeywords)
+        file_.report.notes.push_back(countOf(count, "line") + " '" + keyword + "' ignored");
+      else
+        others += count;
     }
+    if (others) file_.report.notes.push_back(countOf(others, "more unknown line") + " ignored");
   }
 
   std::filesystem::path path_;
@@ -283,7 +307,7 @@ class ObjPreflight {
   std::map<std::string, std::uint32_t> materialNumbers_;
   MaterialLibrary library_;
   std::map<std::string, std::uint64_t> ignoredLines_;
-  bool badAttributes_ = false;
+  std::uint64_t badTextures_ = 0, badNormals_ = 0;
 };
 
 }  // namespace

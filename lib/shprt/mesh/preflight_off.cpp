@@ -1,6 +1,7 @@
 // Object File Format, ASCII and binary: counts are checked against what is there, and the canonical file is
-// plain ASCII OFF with positions, normals and polygons only (comments, counts on the header line and face
-// colours mislead OpenMesh).
+// plain ASCII OFF of positions and polygons (comments, counts on the header line and face colours mislead
+// OpenMesh). Normals and texture coordinates are handed over beside it: OpenMesh looks at the prefix that
+// announces them only when it opens a file by its name.
 
 #include <bit>
 #include <cstring>
@@ -32,15 +33,14 @@ class OffPreflight {
       readAscii();
     }
     file_.vertices = vertexCount_ + file_.duplicateOf.size();
-    for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i)
-      positions_ += header_.normal ? "0 0 0 0 0 0\n" : "0 0 0\n";
-    file_.bytes = header_.normal ? "NOFF\n" : "OFF\n";
+    for (std::size_t i = 0; i < file_.duplicateOf.size(); ++i) positions_ += "0 0 0\n";
+    file_.bytes = "OFF\n";
     appendInteger(file_.bytes, static_cast<long long>(file_.vertices));
     appendInteger(file_.bytes += ' ', static_cast<long long>(file_.faces));
     file_.bytes += " 0\n";
     file_.bytes += positions_;
     file_.bytes += faces_;
-    if (coloured_) file_.report.notes.push_back("colours ignored");
+    if (coloured_) file_.report.notes.push_back("values after coordinates and indices (colours) ignored");
     return std::move(file_);
   }
 
@@ -115,7 +115,7 @@ class OffPreflight {
     for (int i = 0; i < 3; ++i) appendFloat(positions_, usable ? *position[i] : 0.0f), positions_ += ' ';
     if (normal) {
       const bool good = normal[0] && normal[1] && normal[2];
-      for (int i = 0; i < 3; ++i) appendFloat(positions_, good ? *normal[i] : 0.0f), positions_ += ' ';
+      vertexNormals_.push_back(good ? Vec3f{*normal[0], *normal[1], *normal[2]} : Vec3f{});
     }
     positions_ += '\n';
   }
@@ -126,6 +126,12 @@ class OffPreflight {
     for (const std::int64_t corner : corners_) appendInteger(faces_ += ' ', corner);
     faces_ += '\n';
     ++file_.faces;
+    for (const std::int64_t corner : corners_) {
+      auto vertex = static_cast<std::uint64_t>(corner);
+      if (vertex >= vertexCount_) vertex = file_.duplicateOf[vertex - vertexCount_];
+      if (header_.normal) file_.cornerNormals.push_back(vertexNormals_[vertex]);
+      if (header_.texture) file_.cornerTextureCoordinates.push_back(vertexTexture_[vertex]);
+    }
   }
 
   void readAscii() {
@@ -141,7 +147,13 @@ class OffPreflight {
         if (token.empty()) fail("vertex " + std::to_string(i) + " has too few numbers");
         numbers[k] = parseFloat(token);
       }
-      coloured_ = coloured_ || (header_.colour && !trimBlanks(line).empty());
+      if (header_.texture) {
+        const std::string_view v = takeLastToken(line), u = takeLastToken(line);
+        if (u.empty()) fail("vertex " + std::to_string(i) + " has too few numbers");
+        const std::optional<float> right = parseFloat(u), up = parseFloat(v);
+        vertexTexture_.push_back(right && up ? Vec2f{*right, *up} : Vec2f{});
+      }
+      coloured_ = coloured_ || !trimBlanks(line).empty();
       addVertex(i, numbers, header_.normal ? numbers + 3 : nullptr);
     }
     FaceFilter filter(vertexCount_, file_);
@@ -162,6 +174,9 @@ class OffPreflight {
       coloured_ = coloured_ || !trimBlanks(line).empty();
       addFace(filter);
     }
+    std::uint64_t linesLeft = 0;
+    while (!nextLine().empty()) ++linesLeft;
+    if (linesLeft) file_.report.notes.push_back(countOf(linesLeft, "line") + " after the last face ignored");
   }
 
   // Binary OFF is written in either byte order, with or without colour counts after each face; the layout
@@ -244,6 +259,8 @@ class OffPreflight {
   CanonicalFile file_;
   std::uint64_t vertexCount_ = 0, faceCount_ = 0;
   std::string positions_, faces_;
+  std::vector<Vec3f> vertexNormals_;
+  std::vector<Vec2f> vertexTexture_;
   std::vector<std::int64_t> corners_;
   bool coloured_ = false;
 };

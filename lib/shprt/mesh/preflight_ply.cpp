@@ -3,8 +3,10 @@
 // and texture coordinates that belong to faces are handed over beside the file, because OpenMesh's PLY parser
 // misreads them.
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "shprt/base/error.h"
@@ -33,7 +35,10 @@ class PlyPreflight {
 
   CanonicalFile run() {
     std::vector<std::vector<double>> values;
+    std::set<std::string> seen;
     for (const PlyElement& element : reader_.elements()) {
+      if (!seen.insert(element.name).second)
+        throw Error(path_, "has the element '" + element.name + "' twice", "export the mesh again");
       if (element.name == "vertex") {
         prepareVertices(element);
       } else if (element.name == "face" || element.name == "tristrips") {
@@ -45,13 +50,15 @@ class PlyPreflight {
       for (std::uint64_t record = 0; record < element.count; ++record) {
         reader_.readRecord(element, record, values);
         if (element.name == "vertex") addVertex(record, values);
-        if (element.name == "face") addFace(record, values);
+        if (element.name == "face") addFace(values);
         if (element.name == "tristrips") addStrips(values);
       }
     }
     if (reader_.overlongLines())
       file_.report.notes.push_back("values beyond the header on " + countOf(reader_.overlongLines(), "line") +
                                    " ignored");
+    if (reader_.bytesLeft())
+      file_.report.notes.push_back(countOf(reader_.bytesLeft(), "byte") + " after the last record ignored");
     if (!haveVertices_) throw Error(path_, "has no element 'vertex'", "give a mesh");
     write();
     return std::move(file_);
@@ -77,6 +84,10 @@ class PlyPreflight {
         locate({"texture_u", "texture_v"}, texture_);
     if (element.find("red") >= 0 || element.find("diffuse_red") >= 0)
       file_.report.notes.push_back("vertex colours ignored");
+    std::vector<int> used = position_;
+    used.insert(used.end(), normal_.begin(), normal_.end());
+    used.insert(used.end(), texture_.begin(), texture_.end());
+    noteIgnored(element, used);
   }
 
   void prepareFaces(const PlyElement& element) {
@@ -88,6 +99,18 @@ class PlyPreflight {
     faceTexture_ = element.find("texcoord");
     if (faceTexture_ >= 0 && !element.properties[static_cast<std::size_t>(faceTexture_)].list)
       faceTexture_ = -1;
+    noteIgnored(element, {list_, faceTexture_});
+  }
+
+  void noteIgnored(const PlyElement& element, const std::vector<int>& used) {
+    std::string names;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      const std::string& name = element.properties[i].name;
+      if (std::find(used.begin(), used.end(), static_cast<int>(i)) != used.end()) continue;
+      names += (names.empty() ? "" : ", ") + shownToken(name);
+    }
+    if (!names.empty())
+      file_.report.notes.push_back("properties of element '" + element.name + "' ignored: " + names);
   }
 
   void addVertex(std::uint64_t record, const std::vector<std::vector<double>>& values) {
@@ -111,17 +134,20 @@ class PlyPreflight {
   }
 
   // Faces may come before vertices, so they are kept until all is read.
-  void addFace(std::uint64_t record, const std::vector<std::vector<double>>& values) {
+  void addFace(const std::vector<std::vector<double>>& values) {
     const std::vector<double>& indices = values[static_cast<std::size_t>(list_)];
     for (const double index : indices) corners_.push_back(indexOf(index));
     faceEnds_.push_back(corners_.size());
     if (faceTexture_ < 0) return;
     const std::vector<double>& texture = values[static_cast<std::size_t>(faceTexture_)];
-    if (record == 0) perCorner_ = true;
-    perCorner_ = perCorner_ && texture.size() == 2 * indices.size();
+    mismatched_ = mismatched_ || texture.size() != 2 * indices.size();
+    perCorner_ = !mismatched_;
     if (!perCorner_) return;
+    cornerTexture_.resize(corners_.size());
+    Vec2f* const own = cornerTexture_.data() + corners_.size() - indices.size();
     for (std::size_t i = 0; i < indices.size(); ++i) {
-      cornerTexture_.push_back({static_cast<float>(texture[2 * i]), static_cast<float>(texture[2 * i + 1])});
+      own[i] = {static_cast<float>(texture[2 * i]), static_cast<float>(texture[2 * i + 1])};
+      if (!std::isfinite(own[i].x) || !std::isfinite(own[i].y)) own[i] = {};
     }
   }
 
@@ -153,9 +179,10 @@ class PlyPreflight {
 
   void write() {
     file_.report.sourceVertices = vertexCount_;
-    if (faceTexture_ >= 0 && !perCorner_)
+    if (mismatched_)
       file_.report.notes.push_back("texture coordinates of faces do not match their corners; ignored");
     std::string faces;
+    cornerTexture_.resize(perCorner_ ? corners_.size() : 0);  // strips have none
     FaceFilter filter(vertexCount_, file_);
     std::vector<std::int64_t> indices;
     std::size_t begin = 0;
@@ -193,7 +220,7 @@ class PlyPreflight {
   std::string path_;
   PlyReader reader_;
   CanonicalFile file_;
-  bool haveVertices_ = false, perCorner_ = false;
+  bool haveVertices_ = false, perCorner_ = false, mismatched_ = false;
   std::uint64_t vertexCount_ = 0;
   std::vector<int> position_, normal_, texture_;  // columns of the vertex element
   int list_ = -1, faceTexture_ = -1;

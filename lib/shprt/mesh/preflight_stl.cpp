@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -22,41 +24,54 @@ std::uint32_t claimedTriangles(std::string_view bytes) {
   return count;
 }
 
-// Some exporters begin binary files with "solid" too; only ASCII has the word "facet" soon after it.
+bool isWord(std::string_view token, std::string_view lower) {
+  return std::equal(token.begin(), token.end(), lower.begin(), lower.end(),
+                    [](unsigned char a, char b) { return std::tolower(a) == b; });
+}
+
+// Some exporters begin binary files with "solid" too, so the size decides first.
 bool isAscii(std::string_view bytes) {
-  if (!trimBlanks(bytes.substr(0, 512)).starts_with("solid")) return false;
+  std::string_view head = bytes.substr(0, 512);
+  head.remove_prefix(std::min(head.size(), head.find_first_not_of(" \t\r\n")));
+  if (!isWord(head.substr(0, 5), "solid")) return false;
   if (bytes.size() >= kHeaderBytes &&
       bytes.size() == kHeaderBytes + kTriangleBytes * std::uint64_t{claimedTriangles(bytes)})
     return false;
-  return bytes.find("facet") != std::string_view::npos || bytes.find("endsolid") != std::string_view::npos;
+  return bytes.substr(0, 4096).find('\0') == std::string_view::npos;
 }
 
 // Corner positions of all triangles, three by three; an unreadable number is NaN.
-std::vector<Vec3f> readAscii(std::string_view text, const std::string& path) {
+std::vector<Vec3f> readAscii(std::string_view text, const std::string& path,
+                             std::vector<std::string>& notes) {
   std::vector<Vec3f> corners;
   std::size_t lineNumber = 0;
-  bool closed = true;
+  const auto fail = [&](const std::string& problem) {
+    throw Error(path, "line " + std::to_string(lineNumber) + ": " + problem, "export the mesh again");
+  };
+  bool inFacet = false, ended = false;
+  std::size_t facetStart = 0;
   while (!text.empty()) {
     std::string_view line = takeLine(text);
     ++lineNumber;
     const std::string_view keyword = takeToken(line);
-    if (keyword == "facet") {
-      if (!closed || corners.size() % 3 != 0)
-        throw Error(path, "line " + std::to_string(lineNumber) + ": a facet begins inside another",
-                    "export the mesh again");
-      closed = false;
-    } else if (keyword == "endfacet") {
-      if (corners.size() % 3 != 0)
-        throw Error(path, "line " + std::to_string(lineNumber) + ": a facet without three vertices",
-                    "export the mesh again");
-      closed = true;
-    } else if (keyword == "vertex") {
+    if (isWord(keyword, "facet")) {
+      if (inFacet) fail("a facet begins inside another");
+      inFacet = true;
+      facetStart = corners.size();
+    } else if (isWord(keyword, "endfacet")) {
+      if (corners.size() != facetStart + 3) fail("a facet without exactly three vertices");
+      inFacet = false;
+    } else if (isWord(keyword, "vertex")) {
+      if (!inFacet) fail("a vertex outside any facet");
       float xyz[3];
       for (float& coordinate : xyz) coordinate = parseFloat(takeToken(line)).value_or(NAN);
       corners.push_back({xyz[0], xyz[1], xyz[2]});
+    } else if (isWord(keyword, "endsolid")) {
+      ended = true;
     }
   }
-  if (!closed) throw Error(path, "ends inside a facet", "the file is truncated; export the mesh again");
+  if (inFacet) throw Error(path, "ends inside a facet", "the file is truncated; export the mesh again");
+  if (!ended) notes.push_back("no endsolid; the file may have been cut off after a facet");
   return corners;
 }
 
@@ -91,7 +106,7 @@ CanonicalFile preflightStl(const std::filesystem::path& path, std::string bytes)
   const bool ascii = isAscii(bytes);
   report.format = ascii ? "STL ascii" : "STL binary";
   const std::vector<Vec3f> corners =
-      ascii ? readAscii(bytes, path.string()) : readBinary(bytes, path.string(), report.notes);
+      ascii ? readAscii(bytes, path.string(), report.notes) : readBinary(bytes, path.string(), report.notes);
   report.sourceFaces = report.sourceTriangles = corners.size() / 3;
 
   const std::vector<std::uint32_t> ids = distinctPositionIds(corners);

@@ -22,8 +22,10 @@ struct CanonicalFile {
   std::uint64_t corners = 0;               // of all those faces together
   std::vector<bool> unusableVertex;        // per vertex; empty when all are usable
   std::vector<std::uint32_t> duplicateOf;  // vertices appended beyond the file's own: which one each repeats
-  std::vector<std::uint32_t> faceMaterials;     // per face, index into materials; empty when there are none
-  std::vector<Vec2f> cornerTextureCoordinates;  // where the format's parser cannot deliver them; else empty
+  std::vector<std::uint32_t> faceMaterials;  // per face, index into materials; empty when there are none
+  // What the format's parser cannot deliver; else empty. A zero normal means none.
+  std::vector<Vec3f> cornerNormals;
+  std::vector<Vec2f> cornerTextureCoordinates;
   std::vector<Material> materials;
   std::vector<std::filesystem::path> sources;  // further files that were read
   MeshReport report;

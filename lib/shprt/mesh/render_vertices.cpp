@@ -25,13 +25,13 @@ Triangles cutFaces(const RawMesh& raw, std::span<const std::uint32_t> welded, Me
   kept.faces.reserve(kept.corners.capacity());
   std::vector<Vec3d> polygon;
   std::vector<std::array<std::uint32_t, 3>> local;
-  std::uint64_t cutAsConvex = 0;
+  std::uint64_t unfinished = 0;
   for (std::size_t face = 0; face < raw.faceCount(); ++face) {
     const std::uint32_t begin = raw.faceStarts[face], end = raw.faceStarts[face + 1];
     polygon.clear();
     for (std::uint32_t c = begin; c < end; ++c) polygon.push_back(toDouble(raw.positions[raw.corners[c]]));
     local.clear();
-    if (!triangulate(polygon, local)) ++cutAsConvex;
+    if (!triangulate(polygon, local)) ++unfinished;
     for (const auto& [a, b, c] : local) {
       const std::uint32_t pa = welded[raw.corners[begin + a]], pb = welded[raw.corners[begin + b]],
                           pc = welded[raw.corners[begin + c]];
@@ -44,9 +44,9 @@ Triangles cutFaces(const RawMesh& raw, std::span<const std::uint32_t> welded, Me
       kept.faces.push_back(static_cast<std::uint32_t>(face));
     }
   }
-  if (cutAsConvex)
-    report.notes.push_back(countOf(cutAsConvex, "concave polygon") +
-                           " with over 4096 corners cut as if convex");
+  if (unfinished)
+    report.notes.push_back(countOf(unfinished, "polygon") +
+                           " with very many or crossing corners cut roughly");
   return kept;
 }
 

@@ -1,9 +1,11 @@
 // Reading text mesh files: lines and tokens as views, numbers without a locale.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,34 +45,20 @@ inline std::string_view takeToken(std::string_view& line) {
   return token;
 }
 
+// Takes the last blank-separated token off the back of a line; empty when there is none.
+inline std::string_view takeLastToken(std::string_view& line) {
+  line = trimBlanks(line);
+  std::size_t begin = line.size();
+  while (begin > 0 && !isBlank(line[begin - 1])) --begin;
+  const std::string_view token = line.substr(begin);
+  line.remove_suffix(token.size());
+  return token;
+}
+
 // from_chars takes no leading plus.
 inline std::string_view withoutPlus(std::string_view token) {
   if (token.size() > 1 && token[0] == '+' && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
   return token;
-}
-
-// The number that a whole token spells; infinite when it is beyond double; nothing when it is no number.
-inline std::optional<double> parseNumber(std::string_view token) {
-  token = withoutPlus(token);
-  double value = 0;
-  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-  if (end != token.data() + token.size() || token.empty()) return {};
-  if (error == std::errc::result_out_of_range) {
-    // Too small counts as zero, too large as infinite; the exponent's sign tells which.
-    const std::size_t exponent = token.find_first_of("eE");
-    return exponent != std::string_view::npos && token.substr(exponent).find('-') != std::string_view::npos
-               ? 0.0
-               : HUGE_VAL;
-  }
-  if (error != std::errc{}) return {};
-  return value;
-}
-
-// A number that float can hold.
-inline std::optional<float> parseFloat(std::string_view token) {
-  const std::optional<double> value = parseNumber(token);
-  if (!value || !std::isfinite(static_cast<float>(*value))) return {};
-  return static_cast<float>(*value);
 }
 
 template <typename Integer>
@@ -80,6 +68,41 @@ std::optional<Integer> parseInteger(std::string_view token) {
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (error != std::errc{} || end != token.data() + token.size() || token.empty()) return {};
   return value;
+}
+
+// Whether a number that is out of range lies near zero: its first digit that counts tells.
+inline bool isTooSmall(std::string_view token) {
+  const std::size_t mark = token.find_first_of("eE");
+  const std::string_view mantissa = token.substr(0, mark);
+  long long exponent = 0;
+  if (mark != std::string_view::npos) {
+    constexpr long long kBeyond = 1'000'000'000'000;  // more than any file has digits
+    exponent =
+        parseInteger<long long>(token.substr(mark + 1)).value_or(token[mark + 1] == '-' ? -kBeyond : kBeyond);
+    exponent = std::clamp(exponent, -kBeyond, kBeyond);
+  }
+  const auto point = static_cast<long long>(std::min(mantissa.find('.'), mantissa.size()));
+  return point - static_cast<long long>(mantissa.find_first_of("123456789")) + exponent < 0;
+}
+
+// The number of type Real nearest to what a whole token spells: infinite when it is too large, zero when it
+// is too small, nothing when it is no number.
+template <typename Real>
+std::optional<Real> parseReal(std::string_view token) {
+  token = withoutPlus(token);
+  Real value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (end != token.data() + token.size() || token.empty()) return {};
+  if (error == std::errc::result_out_of_range)
+    return isTooSmall(token) ? Real{0} : std::numeric_limits<Real>::infinity();
+  if (error != std::errc{}) return {};
+  return value;
+}
+
+// A number that float can hold.
+inline std::optional<float> parseFloat(std::string_view token) {
+  const std::optional<float> value = parseReal<float>(token);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 // Appends the shortest text that reads back as the same float.

@@ -49,56 +49,128 @@ std::vector<Point> project(std::span<const Vec3d> corners) {
   return points;
 }
 
-bool isConvex(const std::vector<Point>& points) {
+// Without collinear corners, which a fan would leave out of every triangle with area.
+bool isStrictlyConvex(const std::vector<Point>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (turn(points[i], points[(i + 1) % points.size()], points[(i + 2) % points.size()]) < 0) return false;
+    if (turn(points[i], points[(i + 1) % points.size()], points[(i + 2) % points.size()]) <= 0) return false;
   }
   return true;
 }
 
-// Whether p lies in the closed triangle a, b, c. Corners that share a place with the ear do not block it.
-bool blocks(Point p, Point a, Point b, Point c) {
-  if (same(p, a) || same(p, b) || same(p, c)) return false;
+// Whether p lies in the triangle or on its border.
+bool inTriangle(Point p, Point a, Point b, Point c) {
   return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
 
-void clipEars(const std::vector<Point>& points, std::vector<std::array<std::uint32_t, 3>>& triangles) {
-  const std::size_t count = points.size();
-  std::vector<std::uint32_t> next(count), previous(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    next[i] = static_cast<std::uint32_t>((i + 1) % count);
-    previous[i] = static_cast<std::uint32_t>((i + count - 1) % count);
+// The rest of a polygon, linked in a ring; ears are cut off it one by one.
+class EarClipping {
+ public:
+  explicit EarClipping(const std::vector<Point>& points)
+      : points_(points),
+        next_(points.size()),
+        previous_(points.size()),
+        clipped_(points.size()),
+        left_(points.size()) {
+    const auto count = static_cast<std::uint32_t>(points.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      next_[i] = (i + 1) % count;
+      previous_[i] = (i + count - 1) % count;
+    }
+    // Cutting never makes a convex corner reflex, and an ear that holds any corner holds a reflex or flat
+    // one.
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (turnAt(i) <= 0) obstacles_.push_back(i);
+    }
   }
-  const auto isEar = [&](std::uint32_t b) {
-    const std::uint32_t a = previous[b], c = next[b];
-    if (turn(points[a], points[b], points[c]) <= 0) return false;
-    for (std::uint32_t p = next[c]; p != a; p = next[p]) {
-      if (blocks(points[p], points[a], points[b], points[c])) return false;
+
+  // Appends the triangles; false when the work allowed ran out and the rest was cut as it came.
+  bool run(std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    // Simple polygons of n corners need about n^2 tests, crossing ones up to n^3; none shall take minutes.
+    const std::uint64_t count = points_.size();
+    constexpr std::uint64_t kMostTests = 1'000'000'000;
+    const std::uint64_t allowed = std::min(16 * count * count, kMostTests);
+    const auto cut = [&](std::uint32_t corner) {
+      triangles.push_back({previous_[corner], corner, next_[corner]});
+      next_[previous_[corner]] = next_[corner];
+      previous_[next_[corner]] = previous_[corner];
+      clipped_[corner] = true;
+      --left_;
+      // Spikes go before anything else: while one stands, its sides pass for borders of an ear beyond them.
+      return isSpike(next_[corner]) ? next_[corner] : previous_[corner];
+    };
+    std::uint32_t current = 0;
+    for (std::size_t passed = 0; passed <= left_ && left_ > 3;) {
+      if (isSpike(current)) {
+        current = cut(current);
+        passed = passed > 0 ? passed - 1 : 0;
+      } else {
+        current = next_[current];
+        ++passed;
+      }
+    }
+    std::size_t refused = 0;
+    while (left_ > 3) {
+      // When a whole round finds no ear (collinear or crossing corners), a corner is cut off flat, and when a
+      // second one finds no flat corner, any: the loop always ends.
+      const bool flat = refused >= left_ && turnAt(current) == 0;
+      if (tests_ > allowed || refused >= 2 * left_ || flat || isSpike(current) || isEar(current)) {
+        current = cut(current);
+        refused = 0;
+      } else {
+        current = next_[current];
+        ++refused;
+      }
+    }
+    triangles.push_back({previous_[current], current, next_[current]});
+    return tests_ <= allowed;
+  }
+
+ private:
+  double turnAt(std::uint32_t corner) const {
+    return turn(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
+  }
+
+  // Where the outline turns back on itself or stays in place: bridges to holes end so, once their hole is
+  // cut.
+  bool isSpike(std::uint32_t corner) const {
+    const Point a = points_[previous_[corner]], b = points_[corner], c = points_[next_[corner]];
+    return turn(a, b, c) == 0 && (a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y) >= 0;
+  }
+
+  bool isEar(std::uint32_t corner) {
+    ++tests_;
+    if (turnAt(corner) <= 0) return false;
+    const std::uint32_t before = previous_[corner], after = next_[corner];
+    const Point a = points_[before], b = points_[corner], c = points_[after];
+    for (const std::uint32_t p : obstacles_) {
+      ++tests_;
+      if (clipped_[p] || p == before || p == corner || p == after) continue;
+      const Point point = points_[p];
+      const bool blocked = same(point, a)   ? entersBetween(p, b, c)
+                           : same(point, b) ? entersBetween(p, c, a)
+                           : same(point, c) ? entersBetween(p, a, b)
+                                            : inTriangle(point, a, b, c);
+      if (blocked) return false;
     }
     return true;
-  };
-  std::uint32_t current = 0;
-  std::size_t left = count, refused = 0;
-  while (left > 3) {
-    // When a whole round finds no ear (collinear or crossing corners), a corner is cut off flat; the loop
-    // always ends.
-    const bool flat = refused >= left;
-    if (isEar(current) ||
-        (flat && turn(points[previous[current]], points[current], points[next[current]]) == 0) ||
-        refused >= 2 * left) {
-      triangles.push_back({previous[current], current, next[current]});
-      next[previous[current]] = next[current];
-      previous[next[current]] = previous[current];
-      current = previous[current];
-      --left;
-      refused = 0;
-    } else {
-      current = next[current];
-      ++refused;
-    }
   }
-  triangles.push_back({previous[current], current, next[current]});
-}
+
+  // Whether the outline at a corner that shares its place with one of an ear runs into the ear, whose sides
+  // leave that place towards `from` and `to`. Where it only touches, as bridges do, the ear stands.
+  bool entersBetween(std::uint32_t corner, Point from, Point to) const {
+    const Point here = points_[corner];
+    for (const std::uint32_t neighbour : {previous_[corner], next_[corner]}) {
+      if (turn(here, from, points_[neighbour]) > 0 && turn(here, points_[neighbour], to) > 0) return true;
+    }
+    return false;
+  }
+
+  const std::vector<Point>& points_;
+  std::vector<std::uint32_t> next_, previous_, obstacles_;
+  std::vector<bool> clipped_;
+  std::size_t left_;
+  std::uint64_t tests_ = 0;
+};
 
 }  // namespace
 
@@ -109,8 +181,8 @@ bool triangulate(std::span<const Vec3d> corners, std::vector<std::array<std::uin
     return true;
   }
   const std::vector<Point> points = project(corners);
-  constexpr std::uint32_t kMaximumClipped = 4096;
-  if (count == 4 && isConvex(points)) {
+  if (!isStrictlyConvex(points)) return EarClipping(points).run(triangles);
+  if (count == 4) {
     // The shorter diagonal makes the better triangles.
     const Vec3d even = corners[2] - corners[0], odd = corners[3] - corners[1];
     if (dot(odd, odd) < dot(even, even)) {
@@ -120,13 +192,8 @@ bool triangulate(std::span<const Vec3d> corners, std::vector<std::array<std::uin
     }
     return true;
   }
-  const bool convex = isConvex(points);
-  if (!convex && count <= kMaximumClipped) {
-    clipEars(points, triangles);
-    return true;
-  }
   for (std::uint32_t i = 1; i + 1 < count; ++i) triangles.push_back({0, i, i + 1});
-  return convex;
+  return true;
 }
 
 Vec3d areaDirection(Vec3d a, Vec3d b, Vec3d c) {

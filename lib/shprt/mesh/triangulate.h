@@ -12,8 +12,9 @@ namespace shprt {
 
 // Cuts one polygon of n >= 3 corners into n - 2 triangles with its orientation, given as indices into
 // `corners`. Works in the polygon's mean plane; concave polygons, collinear corners and bridges to holes come
-// out right, self-crossing ones somehow. Results are appended. Convex polygons take O(n), others O(n^2);
-// above 4096 corners those are cut as if they were convex, and false is returned.
+// out right, self-crossing ones somehow. Results are appended. Convex polygons take O(n), others O(n r) for r
+// reflex or collinear corners. Returns false when that would have taken too long and the rest of the polygon
+// was cut corner by corner as it came.
 bool triangulate(std::span<const Vec3d> corners, std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 // Twice the area vector of a triangle, computed from differences scaled so that it neither over- nor
