@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
 #include "shprt/base/error.h"
+#include "shprt/base/exr_header.h"
 #include "shprt/base/file.h"
 #include "shprt/base/frame.h"
 #include "shprt/base/parallel.h"
@@ -93,6 +95,31 @@ TEST(ReadFirstBytes, GivesWhatIsThereAndNoMore) {
   EXPECT_EQ(readFirstBytes(folder, 3), "");
   EXPECT_TRUE(isLfsPointer("version https://git-lfs.github.com/spec/v1\n"));
   EXPECT_FALSE(isLfsPointer("version 1"));
+}
+
+TEST(ExrHeader, EveryCutAndOverlongClaimIsSeen) {
+  const auto word = [](std::uint32_t value) { return std::string(reinterpret_cast<const char*>(&value), 4); };
+  const std::string zero(1, '\0'), magic = "\x76\x2f\x31\x01";
+  const auto attribute = [&](std::uint32_t claimed) {
+    return "name" + zero + "string" + zero + word(claimed) + "abc";
+  };
+  const fs::path file = freshFolder("exr") / "a.exr";
+  const auto isWhole = [&](const std::string& bytes) {
+    writeFile(file, bytes);
+    return isExrFile(file) && hasWholeExrHeader(file);
+  };
+  const std::string one = magic + word(2) + attribute(3) + zero;
+  const std::string two = magic + word(0x1002) + attribute(3) + zero + attribute(3) + zero + zero;
+  for (const std::string& whole : {one, two}) {
+    EXPECT_TRUE(isWhole(whole));
+    EXPECT_TRUE(isWhole(whole + "pixels"));
+    for (std::size_t length = 0; length < whole.size(); ++length)
+      EXPECT_FALSE(isWhole(whole.substr(0, length))) << length;
+  }
+  EXPECT_FALSE(isWhole(magic + word(2) + attribute(0x7fffffff) + zero));
+  EXPECT_FALSE(isWhole(magic + word(2) + std::string(300, 'n') + zero));
+  EXPECT_FALSE(isExrFile(file.parent_path()));
+  EXPECT_FALSE(hasWholeExrHeader(file.parent_path() / "none"));
 }
 
 TEST(Frame, IsOrthonormalAndRightHandedEverywhere) {

@@ -1,149 +1,23 @@
-// Pictures in and out, layouts as maps of the whole sphere, and damaged files.
+// Pictures in and out, and damaged files.
 #include <gtest/gtest.h>
+
+#include <OpenImageIO/imageio.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
-#include "shprt/image/environment.h"
 #include "shprt/image/image.h"
 
 namespace shprt {
 namespace {
 
 namespace fs = std::filesystem;
-using std::numbers::pi;
 
 std::string scratch(const std::string& name) {
   return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
-}
-
-struct Case {
-  EnvironmentLayout layout;
-  int width, height;
-};
-const Case kCases[] = {
-    {EnvironmentLayout::kLatitudeLongitude, 64, 32}, {EnvironmentLayout::kLatitudeLongitude, 33, 17},
-    {EnvironmentLayout::kAngularMap, 48, 48},        {EnvironmentLayout::kAngularMap, 31, 31},
-    {EnvironmentLayout::kMirroredBall, 48, 48},      {EnvironmentLayout::kMirroredBall, 31, 31},
-    {EnvironmentLayout::kVerticalCross, 48, 64},     {EnvironmentLayout::kHorizontalCross, 64, 48},
-    {EnvironmentLayout::kCubeFaces, 16, 96},         {EnvironmentLayout::kCubeStrip, 15, 90},
-    {EnvironmentLayout::kOpenExrCube, 16, 96}};
-
-TEST(Layouts, SolidAnglesCoverTheSphereOnce) {
-  for (const Case& c : kCases) {
-    double sum = 0;
-    Vec3d moment;
-    for (int y = 0; y < c.height; ++y)
-      for (int x = 0; x < c.width; ++x) {
-        const PixelFootprint footprint = pixelFootprint(c.layout, c.width, c.height, x, y);
-        ASSERT_GE(footprint.solidAngle, 0);
-        ASSERT_NEAR(length(footprint.direction), footprint.solidAngle > 0 ? 1 : length(footprint.direction),
-                    1e-12);
-        sum += footprint.solidAngle;
-        moment += footprint.direction * footprint.solidAngle;
-      }
-    const bool ball =
-        c.layout == EnvironmentLayout::kAngularMap || c.layout == EnvironmentLayout::kMirroredBall;
-    EXPECT_NEAR(sum / (4 * pi), 1, ball ? 2e-5 : 1e-12) << layoutName(c.layout) << " " << c.width;
-    EXPECT_NEAR(length(moment), 0, 0.02) << layoutName(c.layout);  // no side of the sphere is favoured
-  }
-}
-
-TEST(Layouts, BallsOfFewPixelsStillLookSomewhere) {
-  for (const EnvironmentLayout layout : {EnvironmentLayout::kAngularMap, EnvironmentLayout::kMirroredBall})
-    for (int size = 1; size < 5; ++size)
-      for (int i = 0; i < size * size; ++i) {
-        const PixelFootprint footprint = pixelFootprint(layout, size, size, i % size, i / size);
-        EXPECT_NEAR(length(footprint.direction), 1, 1e-12) << layoutName(layout) << " " << size << " " << i;
-        EXPECT_GT(footprint.solidAngle, 0);
-      }
-}
-
-TEST(Layouts, PositionsAndDirectionsAreInverse) {
-  for (const Case& c : kCases)
-    for (int y = 0; y < c.height; ++y)
-      for (int x = 0; x < c.width; ++x) {
-        const PixelFootprint footprint = pixelFootprint(c.layout, c.width, c.height, x, y);
-        if (footprint.solidAngle <= 0) continue;
-        const bool ball =
-            c.layout == EnvironmentLayout::kAngularMap || c.layout == EnvironmentLayout::kMirroredBall;
-        if (ball && std::hypot((2 * x + 1.0) / c.width - 1, (2 * y + 1.0) / c.height - 1) > 1 - 3.0 / c.width)
-          continue;
-        const PixelPosition position = pixelPosition(c.layout, c.width, c.height, footprint.direction);
-        ASSERT_NEAR(position.x, x + 0.5, 1e-6) << layoutName(c.layout) << " " << x << " " << y;
-        ASSERT_NEAR(position.y, y + 0.5, 1e-6) << layoutName(c.layout) << " " << x << " " << y;
-      }
-}
-
-// The same scene in every layout: a smooth function of direction, painted by one mapping and read by the
-// other.
-TEST(Layouts, AgreeOnWhereThingsAre) {
-  const auto scene = [](Vec3d d) { return Vec3f{float(1 + d.x), float(1 + d.y), float(1 + d.z)}; };
-  for (const Case& c : kCases) {
-    EnvironmentMap map;
-    map.layout = c.layout;
-    map.image = {4 * c.width, 4 * c.height, {}};
-    for (int y = 0; y < map.image.height; ++y)
-      for (int x = 0; x < map.image.width; ++x)
-        map.image.pixels.push_back(
-            scene(pixelFootprint(c.layout, map.image.width, map.image.height, x, y).direction));
-    for (const Vec3d d : {Vec3d{1, 0, 0}, Vec3d{-1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, -1, 0}, Vec3d{0, 0, 1},
-                          normalize({1, 2, 3}), normalize({-2, 1, -1})}) {
-      // The whole rim of a mirrored ball shows the one direction behind it, too coarsely to be read.
-      if (c.layout == EnvironmentLayout::kMirroredBall && d.z > 0.9) continue;
-      const Vec3f seen = sampleEnvironment(map, d), expected = scene(d);
-      EXPECT_NEAR(seen.x, expected.x, 0.06) << layoutName(c.layout) << " " << d.x << " " << d.y << " " << d.z;
-      EXPECT_NEAR(seen.y, expected.y, 0.06) << layoutName(c.layout);
-      EXPECT_NEAR(seen.z, expected.z, 0.06) << layoutName(c.layout);
-    }
-  }
-}
-
-TEST(Layouts, AreDrawnAsTheConventionsSay) {
-  const auto look = [](EnvironmentLayout layout, int w, int h, double x, double y) {
-    const PixelFootprint f = pixelFootprint(layout, w, h, int(x * w), int(y * h));
-    return f.direction;
-  };
-  // Middle of a latitude-longitude picture: +z; a quarter to the right of it: -x; the upper edge: +y.
-  EXPECT_GT(look(EnvironmentLayout::kLatitudeLongitude, 64, 32, 0.5, 0.5).z, 0.99);
-  EXPECT_LT(look(EnvironmentLayout::kLatitudeLongitude, 64, 32, 0.75, 0.5).x, -0.99);
-  EXPECT_GT(look(EnvironmentLayout::kLatitudeLongitude, 64, 32, 0.5, 0).y, 0.99);
-  EXPECT_GT(look(EnvironmentLayout::kAngularMap, 33, 33, 0.5, 0.5).z, 0.99);
-  EXPECT_LT(look(EnvironmentLayout::kAngularMap, 65, 65, 0.75, 0.5).x, -0.99);
-  EXPECT_LT(look(EnvironmentLayout::kMirroredBall, 33, 33, 0.5, 0.5).z, -0.99);
-  EXPECT_GT(look(EnvironmentLayout::kMirroredBall, 65, 65, 0.5, 0.15).y, 0.9);
-  EXPECT_GT(look(EnvironmentLayout::kVerticalCross, 33, 44, 0.5, 0.375).z, 0.99);
-  EXPECT_LT(look(EnvironmentLayout::kVerticalCross, 33, 44, 0.5, 0.875).z, -0.99);
-  EXPECT_LT(look(EnvironmentLayout::kVerticalCross, 33, 44, 0.84, 0.375).x, -0.99);
-  EXPECT_LT(look(EnvironmentLayout::kHorizontalCross, 44, 33, 0.875, 0.5).z, -0.99);
-  EXPECT_GT(look(EnvironmentLayout::kOpenExrCube, 11, 66, 0.5, 0.5 / 6).x, 0.99);
-  EXPECT_LT(look(EnvironmentLayout::kCubeStrip, 11, 66, 0.5, 0.5 / 6).x, -0.99);
-  EXPECT_EQ(pixelFootprint(EnvironmentLayout::kVerticalCross, 33, 44, 0, 0).solidAngle, 0);
-  EXPECT_EQ(pixelFootprint(EnvironmentLayout::kMirroredBall, 33, 33, 0, 0).solidAngle, 0);
-}
-
-// Seams of a cube: pixels that touch across an edge of the picture look in nearly the same direction.
-TEST(Layouts, CrossesJoinAtTheirInnerEdges) {
-  const int n = 32;
-  for (int i = 0; i < n; ++i) {
-    for (const auto [ax, ay, bx, by] :
-         {std::array{n - 1, n + i, n, n + i}, std::array{2 * n - 1, n + i, 2 * n, n + i},
-          std::array{n + i, n - 1, n + i, n}, std::array{n + i, 2 * n - 1, n + i, 2 * n},
-          std::array{n + i, 3 * n - 1, n + i, 3 * n}}) {
-      const Vec3d a = pixelFootprint(EnvironmentLayout::kVerticalCross, 3 * n, 4 * n, ax, ay).direction;
-      const Vec3d b = pixelFootprint(EnvironmentLayout::kVerticalCross, 3 * n, 4 * n, bx, by).direction;
-      EXPECT_GT(dot(a, b), std::cos(2.5 / n));
-    }
-  }
-}
-
-TEST(Layouts, NamesReadBack) {
-  for (const Case& c : kCases) EXPECT_EQ(parseLayout(layoutName(c.layout)), c.layout);
-  EXPECT_THROW(parseLayout("cube"), Error);
 }
 
 TEST(Images, RoundTripThroughTheFormats) {
@@ -188,45 +62,127 @@ TEST(Images, EveryTruncationEndsInAnErrorOrAPicture) {
   }
 }
 
-TEST(Environment, GuessesTheLayoutAndSaysWhy) {
-  const auto guess = [](const std::string& name, int w, int h, float corner) {
-    Image image{w, h,
-                std::vector<Vec3f>(static_cast<std::size_t>(w) * static_cast<std::size_t>(h),
-                                   Vec3f{corner, corner, corner})};
-    image.at(w / 2, h / 2) = {1, 1, 1};
-    saveImage(scratch(name), image);
-    return layoutName(loadEnvironment(scratch(name)).layout);
-  };
-  EXPECT_STREQ(guess("plain.exr", 16, 8, 1), "latlong");
-  EXPECT_STREQ(guess("plain.exr", 12, 16, 1), "vertical-cross");
-  EXPECT_STREQ(guess("plain.exr", 16, 12, 1), "horizontal-cross");
-  EXPECT_STREQ(guess("plain.exr", 4, 24, 1), "strip");
-  EXPECT_STREQ(guess("plain.exr", 16, 16, 0), "angular");
-  EXPECT_STREQ(guess("my_probe.exr", 16, 16, 1), "angular");
-  EXPECT_STREQ(guess("mirror.exr", 16, 16, 1), "mirrored-ball");
-  EXPECT_THROW(guess("plain.exr", 16, 16, 1), Error);
-  EXPECT_THROW(guess("plain.exr", 17, 10, 1), Error);
-  EXPECT_THROW(loadEnvironment(scratch("plain.exr"), EnvironmentLayout::kCubeStrip), Error);
+void writeChannels(const std::string& path, const std::vector<std::string>& names, OIIO::TypeDesc type,
+                   const std::vector<float>& pixel, int x = 0, int y = 0, int fullWidth = 2,
+                   int fullHeight = 1, int orientation = 1) {
+  OIIO::ImageSpec spec(2, 1, static_cast<int>(names.size()), type);
+  spec.channelnames = names;
+  spec.x = x, spec.y = y;
+  spec.full_width = fullWidth, spec.full_height = fullHeight;
+  spec.attribute("Orientation", orientation);
+  const auto output = OIIO::ImageOutput::create(path);
+  std::vector<float> values(pixel);
+  values.insert(values.end(), pixel.begin(), pixel.end());
+  for (std::size_t i = 0; i < pixel.size(); ++i) values[i] *= 2;  // the left pixel is twice as bright
+  ASSERT_TRUE(output->open(path, spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+  output->close();
 }
 
-TEST(Environment, FindsSixFaces) {
-  const fs::path folder = scratch("faces");
-  fs::create_directories(folder);
-  int value = 1;
-  for (const char* face : {"px", "nx", "py", "ny", "pz", "nz"}) {
-    saveImage(folder / ("sky_" + std::string(face) + ".exr"),
-              Image{2, 2, std::vector<Vec3f>(4, Vec3f{float(value), 0, 0})});
-    ++value;
+TEST(Images, ChannelsAreFoundByName) {
+  writeChannels(scratch("bgra.exr"), {"B", "G", "R", "A", "Z"}, OIIO::TypeDesc::FLOAT, {3, 2, 1, 0.5f, 9});
+  const LoadedImage shuffled = loadImage(scratch("bgra.exr"));
+  EXPECT_EQ(shuffled.image.at(1, 0), (Vec3f{1, 2, 3}));
+  EXPECT_EQ(shuffled.image.at(0, 0), (Vec3f{2, 4, 6}));
+  EXPECT_EQ(shuffled.notes, std::vector<std::string>{"2 further channels ignored"});
+  writeChannels(scratch("layer.exr"), {"left.R", "left.G", "left.B"}, OIIO::TypeDesc::FLOAT, {1, 2, 3});
+  EXPECT_EQ(loadImage(scratch("layer.exr")).image.at(1, 0), (Vec3f{1, 2, 3}));
+  // Luminance with chroma is no red, green and blue.
+  writeChannels(scratch("chroma.exr"), {"Y", "RY", "BY"}, OIIO::TypeDesc::FLOAT, {4, 1, 2});
+  const LoadedImage grey = loadImage(scratch("chroma.exr"));
+  EXPECT_EQ(grey.image.at(1, 0), (Vec3f{4, 4, 4}));
+  EXPECT_EQ(grey.notes.size(), 2u);
+  for (const std::vector<std::string>& names : {std::vector<std::string>{"R", "G"}, {"U", "V", "W"}}) {
+    writeChannels(scratch("odd.exr"), names, OIIO::TypeDesc::FLOAT, std::vector<float>(names.size(), 1.0f));
+    EXPECT_THROW(loadImage(scratch("odd.exr")), Error) << names[0];
   }
-  for (const fs::path& way : {folder, folder / "sky_%s.exr", folder / "sky_ny.exr"}) {
-    const EnvironmentMap map = loadEnvironment(way);
-    EXPECT_EQ(map.layout, EnvironmentLayout::kCubeFaces);
-    EXPECT_EQ(map.image.height, 12);
-    EXPECT_EQ(map.image.at(0, 0).x, 1);
-    EXPECT_EQ(map.image.at(1, 11).x, 6);
+}
+
+TEST(Images, IgnoredAlphaLeavesColoursAlone) {
+  writeChannels(scratch("alpha.png"), {"R", "G", "B", "A"}, OIIO::TypeDesc::UINT8, {0.2f, 0.2f, 0.2f, 0.25f});
+  // OpenImageIO stores colours divided by alpha, 0.8; decoded by the sRGB curve.
+  EXPECT_NEAR(loadImage(scratch("alpha.png")).image.at(1, 0).x, std::pow((0.8 + 0.055) / 1.055, 2.4), 1e-2);
+}
+
+TEST(Images, SixteenBitsAreEncodedToo) {
+  writeChannels(scratch("deep.png"), {"R", "G", "B"}, OIIO::TypeDesc::UINT16, {0.02f, 0.25f, 0.5f});
+  const Vec3f pixel = loadImage(scratch("deep.png")).image.at(1, 0);
+  EXPECT_NEAR(pixel.x, 0.02 / 12.92, 1e-5);
+  EXPECT_NEAR(pixel.y, std::pow((0.25 + 0.055) / 1.055, 2.4), 1e-5);
+}
+
+TEST(Images, DataWindowsAreShownInTheirDisplayWindow) {
+  writeChannels(scratch("window.exr"), {"R", "G", "B"}, OIIO::TypeDesc::FLOAT, {1, 2, 3}, 1, 1, 4, 2);
+  const LoadedImage loaded = loadImage(scratch("window.exr"));
+  ASSERT_EQ(loaded.image.width, 4);
+  ASSERT_EQ(loaded.image.height, 2);
+  EXPECT_EQ(loaded.image.at(1, 1), (Vec3f{2, 4, 6}));
+  EXPECT_EQ(loaded.image.at(2, 1), (Vec3f{1, 2, 3}));
+  EXPECT_EQ(loaded.image.at(0, 0), (Vec3f{}));
+  EXPECT_EQ(loaded.image.at(3, 1), (Vec3f{}));
+  EXPECT_EQ(loaded.notes.size(), 1u);
+}
+
+TEST(Images, OrientationTagsTurnThePicture) {
+  // The stored row is (2, 1). By the EXIF tag: where its first pixel goes.
+  const struct {
+    int orientation, width, height, x, y;
+  } cases[] = {{1, 2, 1, 0, 0}, {2, 2, 1, 1, 0}, {3, 2, 1, 1, 0}, {4, 2, 1, 0, 0},
+               {5, 1, 2, 0, 0}, {6, 1, 2, 0, 0}, {7, 1, 2, 0, 1}, {8, 1, 2, 0, 1}};
+  for (const auto& c : cases) {
+    writeChannels(scratch("turned.exr"), {"R", "G", "B"}, OIIO::TypeDesc::FLOAT, {1, 1, 1}, 0, 0, 2, 1,
+                  c.orientation);
+    const Image image = loadImage(scratch("turned.exr")).image;
+    ASSERT_EQ(image.width, c.width) << c.orientation;
+    ASSERT_EQ(image.height, c.height) << c.orientation;
+    EXPECT_EQ(image.at(c.x, c.y).x, 2) << c.orientation;
   }
-  fs::remove(folder / "sky_pz.exr");
-  EXPECT_THROW(loadEnvironment(folder), Error);
+}
+
+TEST(Images, ADamagedPngIsRefusedInSilence) {
+  saveImage(scratch("whole.png"), Image{16, 8, std::vector<Vec3f>(128, Vec3f{0.1f, 0.2f, 0.3f})});
+  const std::string whole = readFile(scratch("whole.png"));
+  testing::internal::CaptureStderr();
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+    writeFile(scratch("damaged.png"), damaged);
+    EXPECT_THROW(loadImage(scratch("damaged.png")), Error) << i;
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+// Headers that claim more than the file holds are refused before anything is allocated, also where
+// OpenImageIO would go on.
+TEST(Images, ClaimsAreCheckedAgainstTheFile) {
+  for (const auto& [name, bytes] :
+       {std::pair{"bomb.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40000 +X 40000\n"},
+        std::pair{"bomb.pfm", "PF\n200000 100000\n-1.0\n"},
+        std::pair{"bomb.ppm", "P6\n90000 90000\n255\n"}}) {
+    writeFile(scratch(name), bytes);
+    try {
+      loadImage(scratch(name));
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("bytes can hold"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Images, ExrAttributesMustLieInTheFile) {
+  saveImage(scratch("claim.exr"), Image{2, 1, std::vector<Vec3f>(2)});
+  std::string bytes = readFile(scratch("claim.exr"));
+  const std::string before("screenWindowWidth\0float\0", 24);
+  const std::size_t size = bytes.find(before) + before.size();
+  ASSERT_LT(size, bytes.size());
+  bytes.replace(size, 4, "\xff\xff\xff\x7f");
+  writeFile(scratch("claim.exr"), bytes);
+  try {
+    loadImage(scratch("claim.exr"));
+    ADD_FAILURE() << "taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("damaged OpenEXR file"), std::string::npos) << error.what();
+  }
 }
 
 TEST(SharedImages, ProblemFilesEndInAPictureOrOneLine) {

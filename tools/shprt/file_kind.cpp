@@ -6,6 +6,7 @@
 
 #include "output.h"
 #include "shprt/base/error.h"
+#include "shprt/base/exr_header.h"
 #include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
 #include "shprt/coefficients/light_coefficients.h"

@@ -19,8 +19,6 @@ struct WriteAssetOptions {
 void writeAsset(const std::filesystem::path& path, const TransferAsset& asset,
                 const WriteAssetOptions& options = {});
 
-// Whether the file begins like an OpenEXR file.
-bool isExrFile(const std::filesystem::path& path);
 // Whether it is an OpenEXR file that holds a shprt asset (as opposed to a picture); false for anything
 // unreadable.
 bool isAssetFile(const std::filesystem::path& path);

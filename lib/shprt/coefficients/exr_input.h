@@ -1,5 +1,4 @@
-// Opening an OpenEXR file that nobody vouches for. OpenEXR takes memory for whatever size an attribute claims
-// (a string of 2 GB in a file of 2 kB), so the header is walked once before OpenEXR sees it.
+// Opening an OpenEXR file that nobody vouches for.
 #pragma once
 
 #include <OpenEXR/ImfHeader.h>

@@ -21,7 +21,7 @@ enum class EnvironmentLayout {
   kVerticalCross,
   kHorizontalCross,
   kCubeFaces,    // six square images px nx py ny pz nz, as three.js and Filament show them; in memory a strip
-  kCubeStrip,    // 1:6, the same faces one below the other
+  kCubeStrip,    // the same faces one below the other (1:6), or in a file also side by side (6:1)
   kOpenExrCube,  // 1:6 as OpenEXR's envmap attribute "cube" defines it
 };
 
@@ -31,12 +31,12 @@ const char* layoutName(EnvironmentLayout layout);
 EnvironmentLayout parseLayout(const std::string& name);
 
 struct PixelFootprint {
-  Vec3d direction;        // unit, at the pixel's centre (at the rim of a ball: of the part inside)
+  Vec3d direction;        // unit, at the pixel's centre (at the rim of a ball: the mean over the part inside)
   double solidAngle = 0;  // of the part of the pixel that shows a direction; 0 where it shows none
 };
 
-// Where pixel (x, y) of a width x height picture in that layout looks. Solid angles are exact in closed form
-// for rectangular layouts and integrated to 1e-6 of the sphere for balls; they sum to 4 pi over the picture.
+// Where pixel (x, y) of a width x height picture in that layout looks. Solid angles are in closed form for
+// rectangular layouts and integrated to 1e-10 of the sphere for balls; they sum to 4 pi over the picture.
 PixelFootprint pixelFootprint(EnvironmentLayout layout, int width, int height, int x, int y);
 
 // The pixel position (continuous, pixel centres at +0.5) that shows a unit direction.
@@ -55,10 +55,10 @@ struct EnvironmentMap {
   std::vector<std::filesystem::path> sources;
 };
 
-// Loads an environment map. layout empty means auto: EXR envmap attribute, then the file's name ("probe",
-// "angular", "mirror", "cross"), then its shape. For kCubeFaces path names one face (px/nx/..., posx/negx,
-// right/left/...), a folder of six, or a pattern with %s; faces become a strip in memory. Throws Error when
-// nothing fits.
+// Loads an environment map. layout empty means auto: EXR envmap attribute, then the file's name ("mirror",
+// "probe", "angular") when it is square, then its shape. For kCubeFaces path names one face (px/nx/...,
+// posx/negx, right/left/...), a folder of six, or a pattern with %s; faces become a strip in memory. Throws
+// Error when nothing fits.
 EnvironmentMap loadEnvironment(const std::filesystem::path& path,
                                std::optional<EnvironmentLayout> layout = {});
 

@@ -1,92 +1,47 @@
 // Pictures through OpenImageIO, which trusts headers: sizes are checked against the file before anything is
 // allocated.
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <string_view>
+#include <utility>
 
 #include "shprt/base/error.h"
-#include "shprt/base/file.h"
 #include "shprt/image/image.h"
+#include "shprt/image/image_channels.h"
+#include "shprt/image/image_file.h"
 
 namespace shprt {
 namespace {
 
-// No format that is read here stores a pixel in less than its 2000th part.
-constexpr std::uint64_t kMostExpansion = 2000;
+// No format that is read here stores a large picture in less than its 2000th part, and none of this size does
+// harm.
+constexpr std::uint64_t kMostExpansion = 2000, kHarmlessPixels = std::uint64_t{1} << 22;
+// 12 GB once loaded.
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 30;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& problem,
                        const std::string& remedy = "") {
   throw Error(path.string(), problem, remedy);
 }
 
-void checkIsFile(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (!std::filesystem::exists(status)) fail(path, "no such file", "check the path");
-  if (std::filesystem::is_directory(status)) fail(path, "is a directory", "give an image file");
-  if (!std::filesystem::is_regular_file(status))
-    fail(path, "is a pipe or device", "save its content to a file first");
-  if (std::filesystem::file_size(path, ignored) == 0) fail(path, "is empty", "give an image file");
-  if (isLfsPointer(readFirstBytes(path, 64))) {
-    fail(path, "is a git-LFS pointer, not an image", "fetch it with: git lfs pull");
-  }
+void checkSize(const std::filesystem::path& path, int width, int height) {
+  const std::uint64_t bytes = std::filesystem::file_size(path);
+  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  const std::string claim = "claims " + std::to_string(width) + " x " + std::to_string(height) + " pixels, ";
+  if (pixels > kHarmlessPixels && pixels / kMostExpansion > bytes)
+    fail(path, claim + "more than its " + std::to_string(bytes) + " bytes can hold", "the file is damaged");
+  if (pixels > kMostPixels)
+    fail(path, claim + "more than the " + std::to_string(kMostPixels) + " that are read", "make it smaller");
 }
 
-// libpng reports damage on standard error by itself, so a PNG's chunks are walked before it sees them.
-bool isCutPng(const std::filesystem::path& path) {
-  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-  std::ifstream file(path, std::ios::binary);
-  char head[8] = {};
-  if (!file.read(head, 8) || std::string_view(head, 8) != kSignature) return false;
-  const std::uint64_t size = std::filesystem::file_size(path);
-  std::uint64_t at = 8;
-  while (at + 12 <= size) {
-    unsigned char chunk[8];
-    file.seekg(static_cast<std::streamoff>(at));
-    if (!file.read(reinterpret_cast<char*>(chunk), 8)) return true;
-    const std::uint64_t length = std::uint64_t{chunk[0]} << 24 | std::uint64_t{chunk[1]} << 16 |
-                                 std::uint64_t{chunk[2]} << 8 | chunk[3];
-    at += 12 + length;
-    if (std::string_view(reinterpret_cast<char*>(chunk) + 4, 4) == "IEND") return at > size;
-  }
-  return true;
-}
-
-// The end of a channel name like "left.R".
-std::string baseName(const std::string& channel) {
-  std::string name = channel.substr(channel.rfind('.') + 1);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return name;
-}
-
-// Which channels serve as red, green and blue.
-std::array<int, 3> chooseChannels(const OIIO::ImageSpec& spec, std::vector<std::string>& notes) {
-  std::array<int, 3> chosen = {-1, -1, -1};
-  constexpr std::array<const char*, 3> kShort = {"R", "G", "B"}, kLong = {"RED", "GREEN", "BLUE"};
-  for (int channel = 0; channel < spec.nchannels; ++channel) {
-    const std::string name = channel < static_cast<int>(spec.channelnames.size())
-                                 ? baseName(spec.channelnames[static_cast<std::size_t>(channel)])
-                                 : "";
-    for (std::size_t colour = 0; colour < 3; ++colour) {
-      if (chosen[colour] < 0 && (name == kShort[colour] || name == kLong[colour])) chosen[colour] = channel;
-    }
-  }
-  const bool named = chosen[0] >= 0 && chosen[1] >= 0 && chosen[2] >= 0;
-  if (!named) chosen = spec.nchannels >= 3 ? std::array<int, 3>{0, 1, 2} : std::array<int, 3>{0, 0, 0};
-  if (chosen[0] == chosen[1]) notes.push_back("one channel, used for all three colours");
-  const int others = spec.nchannels - (chosen[0] == chosen[1] ? 1 : 3);
-  if (others > 0)
-    notes.push_back(std::to_string(others) +
-                    (others == 1 ? " further channel ignored" : " further channels ignored"));
-  return chosen;
+void checkSpec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1 || spec.deep)
+    fail(path, "has no pixels of a flat image", "give a flat image");
+  if (spec.nchannels > 1024) fail(path, "claims " + std::to_string(spec.nchannels) + " channels");
+  checkSize(path, spec.width, spec.height);
 }
 
 // Based on: IEC 61966-2-1.
@@ -94,85 +49,121 @@ float decodeSrgb(float value) {
   return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-}  // namespace
-
-LoadedImage loadImage(const std::filesystem::path& path) {
-  checkIsFile(path);
-  if (isCutPng(path)) fail(path, "is a truncated or damaged PNG file", "copy it again");
-  LoadedImage loaded;
-  try {
-    // PFM files begin with their lowest row, which some versions of OpenImageIO heed only when told.
-    OIIO::ImageSpec hints;
-    hints.attribute("pnm:pfmflip", 1);
-    const auto input = OIIO::ImageInput::open(path.string(), &hints);
-    if (!input) {
-      const std::string reason = OIIO::geterror();
-      fail(path, "cannot be read as an image: " + reason.substr(0, 200),
-           "give a picture in a format that OpenImageIO reads");
-    }
-    const OIIO::ImageSpec& spec = input->spec();
-    const std::uint64_t bytes = std::filesystem::file_size(path);
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1)
-      fail(path, "has no pixels of a flat image");
-    const std::uint64_t pixels =
-        static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
-    if (pixels / kMostExpansion > bytes || spec.nchannels > 1024) {
-      fail(path,
-           "claims " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-               " pixels, more than its " + std::to_string(bytes) + " bytes can hold",
-           "the file is damaged");
-    }
-    loaded.format = input->format_name();
-    const std::string environment = spec.get_string_attribute("textureformat");
-    if (environment == "LatLong Environment") loaded.environmentKind = "latlong";
-    if (environment == "CubeFace Environment") loaded.environmentKind = "cube";
-    const std::array<int, 3> channels = chooseChannels(spec, loaded.notes);
-    const int channelsRead = *std::max_element(channels.begin(), channels.end()) + 1;
-    std::vector<float> values(pixels * static_cast<std::uint64_t>(channelsRead));
-    if (!input->read_image(0, 0, 0, channelsRead, OIIO::TypeDesc::FLOAT, values.data())) {
-      const std::string reason = input->geterror().substr(0, 200);
-      fail(path, "is damaged or truncated" + (reason.empty() ? "" : ": " + reason), "copy it again");
-    }
-    const bool encoded = spec.format.is_floating_point() == false;
-    if (encoded) loaded.notes.push_back("integer pixels decoded from sRGB to linear");
-    loaded.image.width = spec.width;
-    loaded.image.height = spec.height;
-    loaded.image.pixels.resize(pixels);
-    for (std::size_t i = 0; i < pixels; ++i) {
-      const float* pixel = &values[i * static_cast<std::size_t>(channelsRead)];
-      const auto channel = [&](std::size_t colour) {
-        const float value = pixel[channels[colour]];
-        return encoded ? decodeSrgb(value) : value;
-      };
-      loaded.image.pixels[i] = {channel(0), channel(1), channel(2)};
-    }
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& problem) {
-    fail(path, std::string("cannot be read as an image: ") + problem.what(), "the file is damaged");
+std::vector<Vec3f> readPixels(const std::filesystem::path& path, OIIO::ImageInput& input,
+                              const OIIO::ImageSpec& spec, const std::array<int, 3>& channels) {
+  std::vector<Vec3f> pixels(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
+  const auto [first, last] = std::minmax({channels[0], channels[1], channels[2]});
+  const auto read = [&](float* values) {
+    if (input.read_image(0, 0, first, last + 1, OIIO::TypeDesc::FLOAT, values)) return;
+    const std::string reason = input.geterror().substr(0, 200);
+    fail(path, "is damaged or truncated" + (reason.empty() ? "" : ": " + reason), "copy it again");
+  };
+  if (channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2) {
+    read(&pixels[0].x);
+    return pixels;
   }
+  const auto count = static_cast<std::size_t>(last - first + 1);
+  std::vector<float> values(pixels.size() * count);
+  read(values.data());
+  const auto offset = [&](int channel) { return static_cast<std::size_t>(channel - first); };
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const float* pixel = &values[i * count];
+    pixels[i] = {pixel[offset(channels[0])], pixel[offset(channels[1])], pixel[offset(channels[2])]};
+  }
+  return pixels;
+}
+
+// Puts the pixels where the file wants them to be shown: parts of the display window that it has no pixels
+// for are black, pixels outside are dropped.
+Image showInWindow(Image stored, const std::filesystem::path& path, const OIIO::ImageSpec& spec,
+                   std::vector<std::string>& notes) {
+  const int left = spec.x - spec.full_x, top = spec.y - spec.full_y;
+  if (left == 0 && top == 0 && spec.full_width == stored.width && spec.full_height == stored.height)
+    return stored;
+  if (spec.full_width <= 0 || spec.full_height <= 0) return stored;
+  checkSize(path, spec.full_width, spec.full_height);
+  Image shown{spec.full_width, spec.full_height, {}};
+  shown.pixels.resize(static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height));
+  for (int y = std::max(0, -top); y < stored.height && y + top < shown.height; ++y)
+    for (int x = std::max(0, -left); x < stored.width && x + left < shown.width; ++x)
+      shown.at(x + left, y + top) = stored.at(x, y);
+  notes.push_back("its " + std::to_string(stored.width) + " x " + std::to_string(stored.height) +
+                  " pixels placed in a display window of " + std::to_string(shown.width) + " x " +
+                  std::to_string(shown.height));
+  return shown;
+}
+
+// Turns a picture upright. orientation is the EXIF tag: 1 upright, 2 mirrored, 3 upside down, 4 both, 5 to 8
+// the same with rows and columns exchanged.
+Image turnUpright(Image stored, int orientation, std::vector<std::string>& notes) {
+  if (orientation <= 1 || orientation > 8) return stored;
+  const bool exchanged = orientation >= 5;
+  const bool fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+  const bool fromBottom = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+  Image upright{exchanged ? stored.height : stored.width, exchanged ? stored.width : stored.height, {}};
+  upright.pixels.resize(stored.pixels.size());
+  for (int y = 0; y < upright.height; ++y)
+    for (int x = 0; x < upright.width; ++x) {
+      const int column = exchanged ? y : x, row = exchanged ? x : y;
+      upright.at(x, y) = stored.at(fromRight ? stored.width - 1 - column : column,
+                                   fromBottom ? stored.height - 1 - row : row);
+    }
+  notes.push_back("turned upright as its orientation tag asks");
+  return upright;
+}
+
+LoadedImage read(const std::filesystem::path& path) {
+  OIIO::ImageSpec hints;
+  // PFM files begin with their lowest row, which some versions of OpenImageIO heed only when told.
+  hints.attribute("pnm:pfmflip", 1);
+  // Alpha is ignored, so colours stay as they are stored.
+  hints.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(path.string(), &hints);
+  if (!input) {
+    const std::string reason = OIIO::geterror();
+    fail(path, "cannot be read as an image: " + reason.substr(0, 200),
+         "give a picture in a format that OpenImageIO reads");
+  }
+  const OIIO::ImageSpec spec = input->spec();
+  checkSpec(path, spec);
+  LoadedImage loaded;
+  loaded.format = input->format_name();
+  const std::string environment = spec.get_string_attribute("textureformat");
+  if (environment == "LatLong Environment") loaded.environmentKind = "latlong";
+  if (environment == "CubeFace Environment") loaded.environmentKind = "cube";
+  std::vector<std::string> names;
+  for (int channel = 0; channel < spec.nchannels; ++channel) names.emplace_back(spec.channel_name(channel));
+  const ColourChannels channels = chooseColourChannels(names, loaded.format == "openexr", path.string());
+  loaded.notes = channels.notes;
+  loaded.image = {spec.width, spec.height, readPixels(path, *input, spec, channels.index)};
+  if (!spec.format.is_floating_point()) {
+    loaded.notes.push_back("integer pixels decoded from sRGB to linear");
+    for (Vec3f& pixel : loaded.image.pixels)
+      pixel = {decodeSrgb(pixel.x), decodeSrgb(pixel.y), decodeSrgb(pixel.z)};
+  }
+  // OpenImageIO makes a display window of its own for cubes.
+  if (loaded.environmentKind.empty())
+    loaded.image = showInWindow(std::move(loaded.image), path, spec, loaded.notes);
+  loaded.image = turnUpright(std::move(loaded.image), spec.get_int_attribute("Orientation", 1), loaded.notes);
+  const bool more = input->seek_subimage(1, 0);
+  input->geterror();  // OpenImageIO prints what nobody fetched
+  if (more) loaded.notes.push_back("further pictures in the file ignored");
   return loaded;
 }
 
-void saveImage(const std::filesystem::path& path, const Image& image) {
-  const std::string suffix = path.extension().string();
-  const bool linear = suffix == ".exr" || suffix == ".hdr";
-  const auto output = OIIO::ImageOutput::create(path.string());
-  if (!output) fail(path, "has a suffix that is no image format", "use .png, .exr, .hdr or .jpg");
-  OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-  if (suffix == ".exr") spec.attribute("compression", "zip");
-  spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-  // Formats hide what goes wrong while a file is closed; written to memory first, nothing can, and the file
-  // is ours to write.
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  if (!output->supports("ioproxy") || !output->set_ioproxy(&memory))
-    fail(path, "is of a format that cannot be written here", "use .png, .exr, .hdr or .jpg");
-  bool good = output->open(path.string(), spec);
-  good = good && output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
-  good = output->close() && good;
-  if (!good) fail(path, "cannot be encoded: " + output->geterror().substr(0, 200));
-  writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}  // namespace
+
+LoadedImage loadImage(const std::filesystem::path& path) {
+  checkImageFile(path);
+  try {
+    return read(path);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    fail(path, "needs more memory than there is", "make it smaller");
+  } catch (const std::exception& problem) {
+    fail(path, std::string("cannot be read as an image: ") + problem.what(), "the file is damaged");
+  }
 }
 
 }  // namespace shprt

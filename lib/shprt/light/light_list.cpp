@@ -1,6 +1,10 @@
+// Lists of lights: each entry is checked field by field, projected, and added up.
+
 #include "shprt/light/light_list.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
@@ -21,54 +25,61 @@ std::array<double, 3> nonNegative(const JsonObject& entry, const char* field) {
   return values;
 }
 
+// What make() returns; what is wrong with the field it reads is said with the field's place in the list.
+template <typename Make>
+auto blame(const JsonObject& entry, const char* field, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    entry.fail(field, std::string("is wrong: ") + error.what());
+  }
+}
+
+// The coefficients of an image; what was found and done on the way becomes notes and sources.
+LightCoefficients projectImage(const std::filesystem::path& file, std::optional<EnvironmentLayout> layout,
+                               int degree, bool strict, ProjectedList& list) {
+  const EnvironmentMap map = loadEnvironment(file, layout);
+  const ProbeProjection projection = projectProbe(map, {.degree = degree, .strict = strict});
+  list.sources.insert(list.sources.end(), map.sources.begin(), map.sources.end());
+  const auto note = [&](const std::string& text) {
+    list.notes.push_back(file.filename().string() + ": " + text);
+  };
+  note(std::string("layout ") + layoutName(map.layout) + " (" + map.layoutReason + ")");
+  for (const std::string& text : map.notes) note(text);
+  if (projection.nonFinitePixels > 0)
+    note(std::to_string(projection.nonFinitePixels) + " pixels that are not finite left out");
+  if (projection.negativePixels > 0)
+    note(std::to_string(projection.negativePixels) + " negative pixels, used as they are");
+  return projection.light;
+}
+
 LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesystem::path& folder, int degree,
                                     bool strict, ProjectedList& list) {
   entry.allowOnly({"type", "file", "scale", "rotate", "layout"});
   const std::filesystem::path file = folder / entry.text("file");
-  if (!std::filesystem::exists(file))
+  const bool isPattern = file.string().find("%s") != std::string::npos;  // of six faces
+  if (!isPattern && !std::filesystem::exists(file))
     entry.fail("file", "names " + file.string() + ", which does not exist",
                "paths are relative to the list's folder");
-  const double scale = entry.has("scale") ? entry.number("scale") : 1;
-  if (scale < 0) entry.fail("scale", "is negative", "light cannot be negative");
-  if (!std::filesystem::is_regular_file(file) && !std::filesystem::is_directory(file)) {
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file) &&
+      !std::filesystem::is_directory(file))
     entry.fail("file", "names " + file.string() + ", a pipe or device", "save its content to a file first");
-  }
   if (isAssetFile(file))
     entry.fail("file", "names " + file.string() + ", a baked asset", "give an image or a light file");
-  LightCoefficients light;
-  if (isLightFile(file)) {
-    light = readLight(file);
+  const double scale = entry.has("scale") ? entry.number("scale") : 1;
+  if (scale < 0) entry.fail("scale", "is negative", "light cannot be negative");
+  Mat3 rotation;
+  if (entry.has("rotate"))
+    rotation = blame(entry, "rotate", [&] { return parseRotation(entry.text("rotate")); });
+  std::optional<EnvironmentLayout> layout;
+  if (entry.has("layout") && entry.text("layout") != "auto")
+    layout = blame(entry, "layout", [&] { return parseLayout(entry.text("layout")); });
+  LightCoefficients light = blame(entry, "file", [&] {
+    if (!isLightFile(file)) return projectImage(file, layout, degree, strict, list);
     list.sources.push_back(file);
-  } else {
-    std::optional<EnvironmentLayout> layout;
-    if (entry.has("layout") && entry.text("layout") != "auto") {
-      try {
-        layout = parseLayout(entry.text("layout"));
-      } catch (const Error& problem) {
-        entry.fail("layout", std::string("is wrong: ") + problem.what());
-      }
-    }
-    const EnvironmentMap map = loadEnvironment(file, layout);
-    const ProbeProjection projection = projectProbe(map, {.degree = degree, .strict = strict});
-    light = projection.light;
-    list.sources.insert(list.sources.end(), map.sources.begin(), map.sources.end());
-    const std::string name = file.filename().string();
-    list.notes.push_back(name + ": layout " + layoutName(map.layout) + " (" + map.layoutReason + ")");
-    for (const std::string& note : map.notes) list.notes.push_back(name + ": " + note);
-    if (projection.nonFinitePixels)
-      list.notes.push_back(name + ": " + std::to_string(projection.nonFinitePixels) +
-                           " pixels that are not finite left out");
-    if (projection.negativePixels)
-      list.notes.push_back(name + ": " + std::to_string(projection.negativePixels) +
-                           " negative pixels, used as they are");
-  }
-  if (entry.has("rotate")) {
-    try {
-      light = rotateLight(light, parseRotation(entry.text("rotate")));
-    } catch (const Error& problem) {
-      entry.fail("rotate", std::string("is wrong: ") + problem.what());
-    }
-  }
+    return readLight(file);
+  });
+  if (entry.has("rotate")) light = rotateLight(light, rotation);
   return scaleLight(light, scale);
 }
 
@@ -114,6 +125,10 @@ ProjectedList projectLightList(const std::filesystem::path& path, int degree, bo
                            std::to_string(light.degree) + "; the sum has no more");
     }
     list.light = i == 0 ? light : addLights(list.light, light);
+    // Finite numbers can overflow together.
+    for (const auto& coefficient : list.light.coefficients)
+      for (const double value : coefficient)
+        if (!std::isfinite(value)) entry.fail("", "is too bright to be added up", "make it darker");
   }
   list.light = withDegree(list.light, std::min(list.light.degree, degree));
   list.light.source = path.string();

@@ -18,9 +18,10 @@ struct WindowResult {
       0;  // over the sphere, least channel, after windowing, relative to the average irradiance
 };
 
-// kAuto applies the least windowing (one-parameter family, see window.cpp) for which the irradiance (the
-// light convolved with the clamped cosine) is non-negative in every direction and channel, as found on a grid
-// of six points per degree and by descent from its lowest points.
+// kAuto applies the least windowing (the light mixed with its own average, see window.cpp) for which the
+// irradiance, the light convolved with the clamped cosine, is non-negative in every direction and channel, as
+// found on a grid of six points per degree and by descent from its local minima (irradiance_minimum.cpp
+// states the bound). A channel whose average is not positive is left out.
 WindowResult applyWindow(const LightCoefficients& light, Window window);
 
 }  // namespace shprt
