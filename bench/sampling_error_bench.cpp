@@ -28,7 +28,7 @@ using namespace shprt;
 
 TransferCoefficients bakeRandom(const Mesh& mesh, std::span<const Vec3f> albedo, int degree, int rays) {
   const SurfaceTopology topology(mesh);
-  const RayCaster caster(topology.positions(), topology.triangles(), topology.positionIds());
+  const RayCaster caster(topology.positions(), topology.triangles());
   TransferCoefficients transfer = makeTransfer(albedo, degree);
   parallelForBlocks(mesh.positions.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<double> sum(static_cast<std::size_t>(coefficientCount(degree))), y(sum.size());
@@ -51,9 +51,10 @@ TransferCoefficients bakeRandom(const Mesh& mesh, std::span<const Vec3f> albedo,
         const RayPacket packet{x, dy, z};
         std::uint32_t visible = 0xffff & ~horizon.hidden(packet);
         if (visible)
-          visible &= ~caster.occluded(
-              topology.positions()[vertex], packet, visible,
-              {topology.positionIds()[vertex], {}, static_cast<float>(topology.contactDistance())});
+          visible &= ~caster.occluded(topology.positions()[vertex], packet, visible,
+                                      {topology.trianglesAt(topology.positionIds()[vertex]),
+                                       {},
+                                       static_cast<float>(topology.contactDistance())});
         for (int lane = 0; lane < kRayPacketSize; ++lane) {
           if (!((visible >> lane) & 1u)) continue;
           evaluateSh(degree, d[lane], y);

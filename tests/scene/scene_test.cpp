@@ -84,27 +84,34 @@ TEST(RayCaster, SeesAQuadInItsLanesOnly) {
     d[2].push_back(static_cast<float>(direction.z));
     if (std::abs(direction.x / direction.z) < 0.5) expected |= 1u << lane;
   }
-  const IgnoredTriangles none{~0u, {}, 0};
+  const IgnoredTriangles none;
   EXPECT_EQ(caster.occluded({0, 0, 0}, packetOf(d), 0xffff, none), expected);
   EXPECT_EQ(caster.occluded({0, 0, 0}, packetOf(d), 0x0f0f, none), expected & 0x0f0fu);
   EXPECT_EQ(caster.occluded({0, 0, 3}, packetOf(d), 0xffff, none), 0u);
 }
 
 TEST(RayCaster, PassesThroughIgnoredTriangles) {
-  const std::vector<Vec3f> positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1},  {-9, -9, 2},
-                                        {9, -9, 2},  {0, 9, 2},  {-9, -9, 1}};
-  const std::vector<std::uint32_t> ids = distinctPositionIds(positions);
+  const std::vector<Vec3f> positions = {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1},
+                                        {-9, -9, 2}, {9, -9, 2}, {0, 9, 2}};
   const std::array<std::vector<float>, 3> up = {std::vector<float>(16, 0), std::vector<float>(16, 0),
                                                 std::vector<float>(16, 1)};
-  const RayCaster one(positions, Triangles{{6, 1, 2}}, ids);
-  EXPECT_EQ(one.occluded({0, 0, 0}, packetOf(up), 1, {3, {}, 0}), 1u);
-  EXPECT_EQ(one.occluded({0, 0, 0}, packetOf(up), 1, {0, {}, 0}), 0u);  // vertex 6 sits where vertex 0 does
-  const RayCaster two(positions, Triangles{{0, 1, 2}, {3, 4, 5}}, ids);
-  EXPECT_EQ(two.occluded({0, 0, 0}, packetOf(up), 1, {0, {}, 0}), 1u);  // the one behind still counts
-  EXPECT_EQ(two.occluded({0, 0, 0}, packetOf(up), 1, {0, {}, 1.5f}), 1u);
-  EXPECT_EQ(two.occluded({0, 0, 0}, packetOf(up), 1, {9, {}, 2.5f}), 0u);  // rays start behind both
-  const std::vector<std::uint32_t> second = {1};
-  EXPECT_EQ(two.occluded({0, 0, 0}, packetOf(up), 1, {0, second, 0}), 0u);
+  const RayCaster caster(positions, Triangles{{0, 1, 2}, {3, 4, 5}});
+  const std::vector<std::uint32_t> first = {0}, second = {1};
+  const auto isHit = [&](const IgnoredTriangles& ignored) {
+    return caster.occluded({0, 0, 0}, packetOf(up), 1, ignored) == 1u;
+  };
+  EXPECT_TRUE(isHit({}));
+  EXPECT_TRUE(isHit({first, {}, 0}));  // the one behind still counts
+  EXPECT_TRUE(isHit({{}, second, 0}));
+  EXPECT_FALSE(isHit({first, second, 0}));
+  EXPECT_FALSE(isHit({second, first, 0}));
+  EXPECT_TRUE(isHit({first, {}, 1.5f}));
+  EXPECT_FALSE(isHit({{}, {}, 2.5f}));  // rays start behind both
+  // Long lists are searched another way.
+  std::vector<std::uint32_t> many = {0};
+  for (std::uint32_t i = 2; i < 100; ++i) many.push_back(i);
+  EXPECT_TRUE(isHit({many, {}, 0}));
+  EXPECT_FALSE(isHit({many, second, 0}));
 }
 
 TEST(RayCaster, IntersectGivesDistanceTriangleAndBarycentrics) {
@@ -135,10 +142,11 @@ TEST(RayCaster, FindsTouchingTriangles) {
   const std::vector<Vec3f> positions = {{0, 0, 0},     {1, 0, 0},     {0, 1, 0},
                                         {0, 0, 1e-3f}, {1, 0, 1e-3f}, {0, 1, 1e-3f}};
   const RayCaster caster(positions, Triangles{{0, 1, 2}, {3, 4, 5}});
-  EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 1e-6, 99), std::vector<std::uint32_t>{0});
-  EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 2e-3, 99), (std::vector<std::uint32_t>{0, 1}));
-  EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 2e-3, 2), std::vector<std::uint32_t>{1});
-  EXPECT_TRUE(caster.trianglesNear({0.75f, 0.75f, 0}, 1e-6, 99).empty());
+  EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 1e-6, {}), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 2e-3, {}), (std::vector<std::uint32_t>{0, 1}));
+  const std::vector<std::uint32_t> first = {0};
+  EXPECT_EQ(caster.trianglesNear({0.25f, 0.25f, 0}, 2e-3, first), std::vector<std::uint32_t>{1});
+  EXPECT_TRUE(caster.trianglesNear({0.75f, 0.75f, 0}, 1e-6, {}).empty());
 }
 
 }  // namespace

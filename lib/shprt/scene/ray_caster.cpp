@@ -39,30 +39,23 @@ struct OcclusionContext {
   const IgnoredTriangles* ignored;
 };
 
-struct GeometryData {
-  std::span<const std::uint32_t> positionIds;
-  const std::array<std::uint32_t, 3>* triangles = nullptr;
-
-  bool hasCornerAt(std::uint32_t triangle, std::uint32_t position) const {
-    for (const std::uint32_t corner : triangles[triangle]) {
-      if ((positionIds.empty() ? corner : positionIds[corner]) == position) return true;
-    }
-    return false;
-  }
-  bool isIgnored(std::uint32_t triangle, const IgnoredTriangles& ignored) const {
-    return hasCornerAt(triangle, ignored.position) ||
-           std::find(ignored.triangles.begin(), ignored.triangles.end(), triangle) != ignored.triangles.end();
-  }
-};
+// Lists of a few numbers, which most are, are searched without branches.
+bool contains(std::span<const std::uint32_t> sorted, std::uint32_t number) {
+  constexpr std::size_t kFew = 32;
+  if (sorted.size() > kFew) return std::binary_search(sorted.begin(), sorted.end(), number);
+  bool found = false;
+  for (const std::uint32_t entry : sorted) found |= entry == number;
+  return found;
+}
 
 // Rejects hits on triangles that the origin lies on.
 void filterOcclusion(const RTCFilterFunctionNArguments* arguments) {
-  const auto& data = *static_cast<const GeometryData*>(arguments->geometryUserPtr);
-  const auto* context = reinterpret_cast<const OcclusionContext*>(arguments->context);
+  const IgnoredTriangles& ignored = *reinterpret_cast<const OcclusionContext*>(arguments->context)->ignored;
   for (unsigned lane = 0; lane < arguments->N; ++lane) {
     if (arguments->valid[lane] != -1) continue;
     const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
-    if (data.isIgnored(triangle, *context->ignored)) arguments->valid[lane] = 0;
+    if (contains(ignored.meeting, triangle) || contains(ignored.touching, triangle))
+      arguments->valid[lane] = 0;
   }
 }
 
@@ -138,20 +131,25 @@ void intersectOne(RTCScene scene, RTCRayHit* rayHit) {
 struct NearQuery {
   Vec3d point;
   double radius;
-  std::uint32_t exceptPosition;
+  std::span<const std::uint32_t> except;
   const Vec3f* positions;
-  const GeometryData* data;
+  const std::array<std::uint32_t, 3>* triangles;
   std::vector<std::uint32_t> found;
 };
 
 bool collectNear(RTCPointQueryFunctionArguments* arguments) {
   auto& query = *static_cast<NearQuery*>(arguments->userPtr);
-  if (query.data->hasCornerAt(arguments->primID, query.exceptPosition)) return false;
-  const auto& corners = query.data->triangles[arguments->primID];
-  const double distance =
-      pointTriangleDistance(query.point, toDouble(query.positions[corners[0]]),
-                            toDouble(query.positions[corners[1]]), toDouble(query.positions[corners[2]]));
-  if (distance <= query.radius) query.found.push_back(arguments->primID);
+  if (contains(query.except, arguments->primID)) return false;
+  const auto& corners = query.triangles[arguments->primID];
+  const Vec3d a = toDouble(query.positions[corners[0]]) - query.point,
+              b = toDouble(query.positions[corners[1]]) - query.point,
+              c = toDouble(query.positions[corners[2]]) - query.point;
+  // Embree offers whole leaves; most of their triangles lie to one side of the ball.
+  const auto isApart = [&](double u, double v, double w) {
+    return std::min({u, v, w}) > query.radius || std::max({u, v, w}) < -query.radius;
+  };
+  if (isApart(a.x, b.x, c.x) || isApart(a.y, b.y, c.y) || isApart(a.z, b.z, c.z)) return false;
+  if (pointTriangleDistance({}, a, b, c) <= query.radius) query.found.push_back(arguments->primID);
   return false;
 }
 
@@ -174,8 +172,8 @@ struct RayCaster::Impl {
   MemoryMonitor memory;  // outlives the device
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  GeometryData data;
   const Vec3f* positions = nullptr;
+  const std::array<std::uint32_t, 3>* triangles = nullptr;
   int nativeWidth = 4;
 
   ~Impl() {
@@ -192,8 +190,7 @@ struct RayCaster::Impl {
 };
 
 RayCaster::RayCaster(std::span<const Vec3f> positions,
-                     std::span<const std::array<std::uint32_t, 3>> triangles,
-                     std::span<const std::uint32_t> positionIds)
+                     std::span<const std::array<std::uint32_t, 3>> triangles)
     : impl_(std::make_unique<Impl>()) {
   impl_->device = rtcNewDevice(nullptr);
   if (!impl_->device) throw Error("Embree", "no device could be made");
@@ -217,8 +214,7 @@ RayCaster::RayCaster(std::span<const Vec3f> positions,
     std::memcpy(vertices, positions.data(), positions.size_bytes());
     std::memcpy(indices, triangles.data(), triangles.size_bytes());
     impl_->positions = static_cast<const Vec3f*>(vertices);
-    impl_->data = {positionIds, static_cast<const std::array<std::uint32_t, 3>*>(indices)};
-    rtcSetGeometryUserData(geometry, &impl_->data);
+    impl_->triangles = static_cast<const std::array<std::uint32_t, 3>*>(indices);
     rtcSetGeometryOccludedFilterFunction(geometry, filterOcclusion);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(impl_->scene, geometry);
@@ -282,8 +278,8 @@ std::uint64_t RayCaster::peakMemory() const {
 }
 
 std::vector<std::uint32_t> RayCaster::trianglesNear(Vec3f point, double radius,
-                                                    std::uint32_t exceptPosition) const {
-  NearQuery near{toDouble(point), radius, exceptPosition, impl_->positions, &impl_->data, {}};
+                                                    std::span<const std::uint32_t> except) const {
+  NearQuery near{toDouble(point), radius, except, impl_->positions, impl_->triangles, {}};
   // Slightly wider than asked, so that rounding inside Embree loses none; collectNear decides.
   RTCPointQuery query{
       .x = point.x, .y = point.y, .z = point.z, .time = 0, .radius = static_cast<float>(radius * 1.5)};

@@ -29,8 +29,8 @@ struct RayPacket {
 // Triangles a ray passes through because its origin lies on them. What they hide is decided exactly elsewhere
 // (transfer/local_horizon.h), so no epsilon has to push the origin off the surface.
 struct IgnoredTriangles {
-  std::uint32_t position = 0;                // all with a corner at this position id
-  std::span<const std::uint32_t> triangles;  // and these, few
+  std::span<const std::uint32_t> meeting;   // those with a corner at the origin, in increasing order
+  std::span<const std::uint32_t> touching;  // others that the origin lies on, in increasing order
   // A distance within which every triangle is among the ignored ones. Rays start there: that loses nothing,
   // and spares most of the calls that would tell ignored triangles from others.
   float distance = 0;
@@ -39,11 +39,9 @@ struct IgnoredTriangles {
 // Immutable once built; all queries may run from many threads at once.
 class RayCaster {
  public:
-  // Coordinates should be near the origin and of order one (scene_frame.h). positionIds has one entry per
-  // position (position_ids.h); empty means each position is its own. Positions and triangles are copied, ids
-  // are not: they must outlive the caster. Throws Error when Embree reports a failure.
-  RayCaster(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
-            std::span<const std::uint32_t> positionIds = {});
+  // Coordinates should be near the origin and of order one (scene_frame.h). Both arrays are copied. Throws
+  // Error when Embree reports a failure.
+  RayCaster(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
@@ -56,9 +54,10 @@ class RayCaster {
   // Nearest hit along one ray, for pictures. direction of any nonzero length.
   RayHit intersect(Vec3f origin, Vec3f direction) const;
 
-  // The triangles nearer to a point than radius, in increasing order, without those that have a corner at the
-  // position id.
-  std::vector<std::uint32_t> trianglesNear(Vec3f point, double radius, std::uint32_t exceptPosition) const;
+  // The triangles nearer to a point than radius, in increasing order, without those excepted, which are given
+  // in increasing order.
+  std::vector<std::uint32_t> trianglesNear(Vec3f point, double radius,
+                                           std::span<const std::uint32_t> except) const;
 
   // Most memory that Embree held at once, in bytes: its copy of the mesh, the hierarchy and what building it
   // took.

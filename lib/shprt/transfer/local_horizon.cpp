@@ -1,5 +1,6 @@
 #include "shprt/transfer/local_horizon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -43,12 +44,19 @@ void LocalHorizon::addWedge(Vec3d edge1, Vec3d edge2, bool own) {
     wedge.originInside2[below] = static_cast<float>(dot(step, inside2));
   }
   wedges_.push_back(wedge);
+  // The arc between the edges is highest in between where the normal's foot on the plane lies there.
+  const bool peaks = dot(normal_, inside1) > 0 && dot(normal_, inside2) > 0;
+  const double top =
+      peaks ? length(cross(normal_, plane)) : std::max(dot(normal_, edge1), dot(normal_, edge2));
+  highest_ = std::max(highest_, own ? static_cast<float>(top + kFlat) : 1.0f);
 }
 
 void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex,
                            std::span<const std::uint32_t> touching) {
   wedges_.clear();
+  highest_ = 0;
   normal_ = topology.normal(vertex);
+  normalFloat_ = toFloat(normal_);
   const std::uint32_t position = topology.positionIds()[vertex];
   const std::uint32_t point = topology.pointIds()[vertex];
 
@@ -57,7 +65,7 @@ void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex
     bool own;
   };
   std::vector<Corner> corners;
-  double widest = -1;
+  double widestCosine = 2;
   for (const std::uint32_t triangle : topology.trianglesAt(position)) {
     const Triangle& t = topology.triangles()[triangle];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -66,17 +74,17 @@ void LocalHorizon::prepare(const SurfaceTopology& topology, std::uint32_t vertex
                           edgeDirection(topology, t[k], t[(k + 2) % 3]), topology.pointIds()[t[k]] == point};
       corners.push_back(corner);
       const Vec3d crossed = cross(corner.edge1, corner.edge2);
-      const double angle = std::atan2(length(crossed), dot(corner.edge1, corner.edge2));
-      if (!corner.own || angle <= widest || length(crossed) < kDegenerate) continue;
-      widest = angle;
+      const double cosine = dot(corner.edge1, corner.edge2);
+      if (!corner.own || cosine >= widestCosine || length(crossed) < kDegenerate) continue;
+      widestCosine = cosine;
       facePlane_ = normalize(crossed);
       // The bisector; rotating an edge into the wedge serves opposite edges too.
-      faceStep_ = angle < 3 ? normalize(corner.edge1 + corner.edge2) : cross(facePlane_, corner.edge1);
+      faceStep_ = cosine > -0.99 ? normalize(corner.edge1 + corner.edge2) : cross(facePlane_, corner.edge1);
       if (dot(facePlane_, normal_) < 0) facePlane_ = -facePlane_;
       faceStep_ = normalize(faceStep_ + facePlane_ * kStepElevation);
     }
   }
-  if (widest < 0) facePlane_ = faceStep_ = normal_;
+  if (widestCosine > 1.5) facePlane_ = faceStep_ = normal_;
   facePlaneFloat_ = toFloat(facePlane_);
   for (const Corner& corner : corners) addWedge(corner.edge1, corner.edge2, corner.own);
 
@@ -116,6 +124,8 @@ std::uint32_t LocalHorizon::hidden(const RayPacket& rays) const {
     std::memcpy(&y, rays.y + first, sizeof y);
     std::memcpy(&z, rays.z + first, sizeof z);
     const auto form = [&](const Vec3f& f) { return f.x * x + f.y * y + f.z * z; };
+    const Masks low = form(normalFloat_) <= highest_;
+    if (!(low[0] | low[1] | low[2] | low[3])) continue;
     const Masks below = form(facePlaneFloat_) < 0;
     const auto choose = [&](const float(&origin)[2]) {
       return below ? Lanes{} + origin[1] : Lanes{} + origin[0];

@@ -56,7 +56,10 @@ class LocalHorizon {
   std::vector<Wedge> wedges_;
   Vec3d normal_, facePlane_,
       faceStep_;  // facePlane_: normal of the own triangle chosen, on the normal's side
-  Vec3f facePlaneFloat_;
+  Vec3f facePlaneFloat_, normalFloat_;
+  // No direction further up is hidden, as a cosine to the normal. Towards what hides rays that step along the
+  // normal, all of them descend; other wedges leave no bound, and 1.
+  float highest_ = 0;
 };
 
 }  // namespace shprt

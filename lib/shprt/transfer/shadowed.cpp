@@ -69,10 +69,10 @@ class VertexBaker {
  private:
   int traceVisibility(std::uint32_t vertex) {
     const Vec3f origin = topology_.positions()[vertex];
-    const std::uint32_t position = topology_.positionIds()[vertex];
+    const std::span<const std::uint32_t> meeting = topology_.trianglesAt(topology_.positionIds()[vertex]);
     const std::vector<std::uint32_t> touching =
-        caster_.trianglesNear(origin, topology_.contactDistance(), position);
-    const IgnoredTriangles ignored{position, touching, static_cast<float>(topology_.contactDistance())};
+        caster_.trianglesNear(origin, topology_.contactDistance(), meeting);
+    const IgnoredTriangles ignored{meeting, touching, static_cast<float>(topology_.contactDistance())};
     horizon_.prepare(topology_, vertex, touching);
     int visible = 0;
     for (std::size_t packet = 0; packet < visible_.size(); ++packet) {
@@ -123,7 +123,7 @@ Bake bakeShadowed(const Mesh& mesh, std::span<const Vec3f> albedo, const Shadowe
   assert(options.rays >= 1 && options.degree >= 0);
   const auto buildStart = Clock::now();
   const SurfaceTopology topology(mesh);
-  const RayCaster caster(topology.positions(), topology.triangles(), topology.positionIds());
+  const RayCaster caster(topology.positions(), topology.triangles());
   Bake bake;
   bake.transfer = makeTransfer(albedo, options.degree);
   bake.statistics.buildSeconds = secondsSince(buildStart);
