@@ -36,8 +36,14 @@ TEST(Error, IsOneLineWhateverTheFileIsCalled) {
 }
 
 TEST(Sha256, MatchesTheVectorsOfFips180) {
-  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  const fs::path file = freshFolder("sha256") / "a";
+  writeFile(file, "");
+  EXPECT_EQ(sha256OfFile(file), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  writeFile(file, "abc");
+  EXPECT_EQ(sha256OfFile(file), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  writeFile(file, std::string(1'000'000, 'a'));  // many blocks and a part of one
+  EXPECT_EQ(sha256OfFile(file), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  EXPECT_THROW(sha256OfFile(file.parent_path() / "none"), Error);
 }
 
 TEST(AtomicFile, AppearsOnlyWhenCommitted) {

@@ -16,7 +16,7 @@ refused 1 bake $in/asset.prt.exr -o out.prt.exr && says asset.prt.exr
 refused 1 bake /dev/zero -o out.prt.exr && says device
 # --- bake: outputs --------------------------------------------------------------------------------------------------
 refused 1 bake $in/cube.obj -o missing-folder/out.prt.exr && says missing-folder
-refused 1 bake $in/cube.obj -o out.txt && says .prt.exr
+refused 2 bake $in/cube.obj -o out.txt && says .prt.exr
 refused 1 bake $in/cube.obj -o /proc/out.prt.exr && says /proc
 refused 1 bake $in/cube.obj -o $in/full.prt.exr && says full.prt.exr
 refused 1 bake $in/cube.obj -o out.prt.exr --json missing-folder/out.json && says missing-folder
@@ -46,14 +46,21 @@ refused 2 && says subcommand
 refused 2 cook $in/cube.obj && says cook
 full_disk bake $in/corner.obj -o out.prt.exr --rays 16
 
-# Standard output that cannot take the data.
-for data in "relight $a $l -o - --quiet" "project-probe $in/probe.pfm -o - --quiet" "info $l --json" "info $a" "--version" "bake --help"; do
-  code=0
-  # shellcheck disable=SC2086
-  "$shprt" $data >/dev/full 2>../stderr.txt || code=$?
-  [ $code -eq 1 ] || fail "exit code $code, not 1, on a full standard output: shprt $data"
-  [ "$(wc -l <../stderr.txt)" -eq 1 ] || fail "not one line on a full standard output: shprt $data"
+# Standard output that cannot take the data; for diff that is not "different".
+no_output() {
+  local expected=$1 code=0
+  shift
+  "$shprt" "$@" >/dev/full 2>../stderr.txt || code=$?
+  [ $code -eq "$expected" ] || fail "exit code $code, not $expected, on a full standard output: shprt $*"
+  [ "$(wc -l <../stderr.txt)" -eq 1 ] || fail "not one line on a full standard output: shprt $*"
   cases=$((cases + 1))
-done
+}
+no_output 1 relight $a $l -o - --quiet
+no_output 1 project-probe $in/probe.pfm -o - --quiet
+no_output 1 info $l --json
+no_output 1 info $a
+no_output 1 --version
+no_output 1 bake --help
+no_output 2 diff $a $a
 
 finish

@@ -15,8 +15,8 @@ refused 1 relight $a missing.json -o out.png --quiet && says missing.json
 refused 1 relight $a $in/empty.json -o out.png --quiet && says empty.json
 refused 1 relight $a $in/newer.json -o out.png --quiet && says newer.json
 refused 1 relight $a $a -o out.png --quiet && says 'not a light'
-refused 1 relight $a $l -o out.bmp && says .png
-refused 1 relight $a $l -o out && says .png
+refused 2 relight $a $l -o out.bmp && says .png
+refused 2 relight $a $l -o out && says .png
 refused 1 relight $a $l -o $a && says 'is an input'
 refused 1 relight $a $l -o missing-folder/out.png && says missing-folder
 for suffix in csv json png ply; do
@@ -36,6 +36,8 @@ refused 2 relight $a $l -o out.png --quiet --background && says --background
 refused 2 relight $a $in/probe.pfm -o out.png --background --background-color 1 && says --background
 refused 2 relight $a $l -o out.csv --size 10x10 && says --size
 refused 2 relight $a $l -o out.ply --turntable 3 && says --turntable
+refused 2 relight $a $l -o out.png --format csv && says --format
+refused 2 relight missing.prt.exr $l -o out.png --camera orbit:spin && says --camera
 refused 2 relight $a $l -o - --format png && says --format
 refused 2 relight $a $l -o - --format tiff && says --format
 refused 2 relight $a $l -o - --json - && says --json

@@ -163,6 +163,10 @@ check "the ply is a mesh again" grep -q '"triangles": 64' <(run info corner.ply 
 
 # --- info, version, help --------------------------------------------------------------------------------------------
 check "info of an asset" grep -q '"kind": "asset"' <(run info corner.prt.exr --json)
+check "a convex mesh sees the sky" grep -q 'sky seen  *1.0000 on average, 1.0000 to 1.0000' <(run info cube.prt.exr)
+check "even light has no direction" grep -q 'dominant direction *none' <(run info constant.json)
+quiet convert probe.json -o same.json --degree 4
+check "what stays as it was keeps its figures" grep -q energyMissed same.json
 check "info of a light" grep -q '"kind": "light"' <(run info probe.json --json)
 check "info of a list" grep -q '"kind": "light list"' <(run info above.json --json)
 check "info of a mesh" grep -q '"kind": "mesh"' <(run info cube.obj --json)

@@ -16,13 +16,12 @@
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
+#include "tests/scratch.h"
 
 namespace shprt {
 namespace {
 
-std::string scratch(const std::string& name) {
-  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
-}
+using test::scratch;
 
 // A file written anew: overwriting one in place makes some file systems wait for the disk at every close.
 void writeBytes(const std::string& path, const std::string& bytes) {

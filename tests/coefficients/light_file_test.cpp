@@ -11,13 +11,12 @@
 #include "shprt/base/file.h"
 #include "shprt/coefficients/light_coefficients.h"
 #include "shprt/sh/basis.h"
+#include "tests/scratch.h"
 
 namespace shprt {
 namespace {
 
-std::string scratch(const std::string& name) {
-  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
-}
+using test::scratch;
 
 LightCoefficients makeLight(int degree) {
   LightCoefficients light;

@@ -7,15 +7,14 @@
 
 #include "shprt/base/error.h"
 #include "shprt/image/environment.h"
+#include "tests/scratch.h"
 
 namespace shprt {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string scratch(const std::string& name) {
-  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
-}
+using test::scratch;
 
 TEST(Environment, GuessesTheLayoutAndSaysWhy) {
   const auto guess = [](const std::string& name, int w, int h, float corner) {

@@ -10,15 +10,14 @@
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 #include "shprt/image/image.h"
+#include "tests/scratch.h"
 
 namespace shprt {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string scratch(const std::string& name) {
-  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
-}
+using test::scratch;
 
 TEST(Images, RoundTripThroughTheFormats) {
   Image image{5, 3, {}};

@@ -10,15 +10,14 @@
 #include "shprt/light/light_list.h"
 #include "shprt/light/project_probe.h"
 #include "shprt/sh/basis.h"
+#include "tests/scratch.h"
 
 namespace shprt {
 namespace {
 
 using std::numbers::pi;
 
-std::string scratch(const std::string& name) {
-  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
-}
+using test::scratch;
 
 TEST(LightList, AddsItsLights) {
   writeFile(scratch("a.json"), formatLight(projectConstant({1, 1, 1}, 4)));

@@ -63,6 +63,7 @@ TEST(Analytic, ChangedLightsCarryNoStatistics) {
   LightCoefficients light = projectConstant({1, 1, 1}, 1);
   light.statisticsJson = "{}";
   EXPECT_EQ(withDegree(light, 0).statisticsJson, "");
+  EXPECT_EQ(withDegree(light, 1).statisticsJson, "{}");
   EXPECT_EQ(addLights(light, light).statisticsJson, "");
   EXPECT_EQ(scaleLight(light, 2).statisticsJson, "");
   EXPECT_EQ(rotateLight(light, Mat3{}).statisticsJson, "");

@@ -12,12 +12,9 @@
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 #include "shprt/mesh/load_mesh.h"
+#include "tests/scratch.h"
 
 namespace shprt::test {
-
-inline std::string scratch(const std::string& name) {
-  return std::string(SHPRT_TEST_OUTPUT_DIR) + "/" + name;
-}
 
 inline std::string writeScratch(const std::string& name, const std::string& bytes) {
   const std::string path = scratch(name);

@@ -9,6 +9,7 @@
 #include "shprt/base/error.h"
 #include "shprt/sh/basis.h"
 #include "shprt/sh/rotation.h"
+#include "tests/scratch.h"
 #include "tests/sh/reference.h"
 
 namespace shprt {
@@ -169,7 +170,7 @@ TEST(ParseRotation, ReadsEveryForm) {
       EXPECT_EQ(twoTurns.m[i][j], expected.m[i][j]);
     }
   EXPECT_NEAR((parseRotation("axis:0,0,1,45") * Vec3d{1, 0, 0}).y, h, 1e-15);
-  const std::string file = SHPRT_TEST_OUTPUT_DIR "/rotation.txt";
+  const std::string file = test::scratch("rotation.txt");
   std::ofstream(file) << "axis:0,1,0,90\n";
   EXPECT_EQ(parseRotation("@" + file), quarter);
 }
