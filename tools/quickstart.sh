@@ -16,7 +16,7 @@ out=quickstart-output
 shprt=build/release/tools/shprt/shprt
 mkdir -p "$out"
 "$shprt" bake data/knot.ply -o "$out/knot.prt.exr"
-"$shprt" project-probe data/sky.hdr -o "$out/sky.json"
+"$shprt" project-probe data/sky.hdr -o "$out/sky.json" --window hann
 "$shprt" relight "$out/knot.prt.exr" "$out/sky.json" -o "$out/knot_sky.png"
 "$shprt" relight "$out/knot.prt.exr" data/studio.hdr --background -o "$out/knot_studio.png"
 "$shprt" bake data/courtyard.obj -o "$out/courtyard.prt.exr"

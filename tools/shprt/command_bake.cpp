@@ -81,7 +81,7 @@ AssetMetadata describeBake(const BakeOptions& options, const LoadedMesh& loaded,
     metadata.seed = options.shadowed.seed;
   }
   for (const std::filesystem::path& source : loaded.sources) {
-    metadata.sources.push_back({source.string(), sha256(readFile(source))});
+    metadata.sources.push_back({source.string(), sha256OfFile(source)});
   }
   metadata.seconds = {
       {"load", loadSeconds}, {"build", statistics.buildSeconds}, {"trace", statistics.traceSeconds}};
@@ -154,7 +154,7 @@ int runBake(const BakeOptions& options) {
   const Clock::time_point start = Clock::now();
   const Console console = makeConsole(options.common, "");
   if (suffixOf(options.output) != ".exr") {
-    throw Error(options.output, "an asset is an OpenEXR file", "give a name that ends in .prt.exr");
+    throw UsageError("--output: an asset is an OpenEXR file; end " + options.output + " in .prt.exr");
   }
   checkInput(options.mesh);
   const std::vector<std::string> inputs = {options.mesh};

@@ -37,12 +37,13 @@ int runConvert(const ConvertOptions& options) {
   }
   const LightCoefficients original = readLight(options.input);
   LightCoefficients light = original;
+  const bool changed = options.rotation || (options.degree && *options.degree != light.degree);
   if (options.degree) light = withDegree(light, *options.degree);
   if (options.rotation) light = rotateLight(light, *options.rotation);
   Json figures = lightStatisticsJson(light);
   if (options.rotation) figures["rotation"] = options.rotation->m;
   // What the maker measured of the light holds no longer once it is turned or cut.
-  if (options.degree || options.rotation) light.statisticsJson = figures.dump();
+  if (changed) light.statisticsJson = figures.dump();
   writeText(options.output, formatLight(light));
 
   console.field("light", options.input);

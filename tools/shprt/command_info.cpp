@@ -1,8 +1,9 @@
 // shprt info: everything a file says about itself.
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
-#include <optional>
+#include <system_error>
 
 #include "commands.h"
 #include "console.h"
@@ -16,6 +17,7 @@
 #include "shprt/image/environment.h"
 #include "shprt/light/light_list.h"
 #include "shprt/mesh/load_mesh.h"
+#include "shprt/report/asset_statistics.h"
 
 namespace shprt {
 namespace {
@@ -45,6 +47,12 @@ Json describeAsset(const Console& console, const std::string& path) {
     console.field("seconds to " + what, fmt::format("{:.3f}", seconds));
   for (const auto& [what, count] : metadata.counts) console.field(what, formatCount(count));
   for (const std::string& note : metadata.notes) console.field("note", note);
+  const AssetStatistics statistics = measureAsset(asset);
+  console.field("sky seen", fmt::format("{:.4f} on average, {:.4f} to {:.4f}", statistics.meanVisibility,
+                                        statistics.minimumVisibility, statistics.maximumVisibility));
+  console.field("coefficients", fmt::format("{:.5g} to {:.5g}", statistics.minimum, statistics.maximum));
+  for (std::size_t l = 0; l < statistics.bandEnergy.size(); ++l)
+    console.field(fmt::format("energy of band {}", l), fmt::format("{:.4g}", statistics.bandEnergy[l]));
   for (const AssetPart& part : parts) {
     console.field("part " + part.name,
                   fmt::format("{} x {}, {} {}, {}, {}", part.width, part.height, part.channels,
@@ -73,6 +81,13 @@ Json describeAsset(const Console& console, const std::string& path) {
           {"seconds", metadata.seconds},
           {"counts", metadata.counts},
           {"notes", metadata.notes},
+          {"visibility",
+           {{"mean", statistics.meanVisibility},
+            {"minimum", statistics.minimumVisibility},
+            {"maximum", statistics.maximumVisibility}}},
+          {"minimum", statistics.minimum},
+          {"maximum", statistics.maximum},
+          {"bandEnergy", statistics.bandEnergy},
           {"parts", partList}};
 }
 
@@ -155,7 +170,28 @@ Json describeImage(const Console& console, const std::string& path) {
   return figures;
 }
 
+// A folder or pattern of six faces, which is no image by itself.
+Json describeFaces(const Console& console, const std::string& path) {
+  const EnvironmentMap map = loadEnvironment(path);
+  console.field("faces", fmt::format("{}, {}", path, countOf(map.sources.size(), "file", "files")));
+  Json files = Json::array();
+  for (const std::filesystem::path& source : map.sources) {
+    console.field("face", source.string());
+    files.push_back(source.string());
+  }
+  console.field("size", fmt::format("{0} x {0} pixels each", map.image.width));
+  for (const std::string& note : map.notes) console.field("note", note);
+  return {{"kind", "faces"},
+          {"files", files},
+          {"faceWidth", map.image.width},
+          {"layout", layoutName(map.layout)},
+          {"notes", map.notes}};
+}
+
 Json describeFile(const Console& console, const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored) || path.find("%s") != std::string::npos)
+    return describeFaces(console, path);
   switch (fileKind(path)) {
     case FileKind::kAsset:
       return describeAsset(console, path);

@@ -37,13 +37,18 @@ std::optional<RelightFormat> formatNamed(const std::string& name) {
 }
 
 RelightFormat chooseFormat(const RelightOptions& options) {
-  if (options.textFormat) return *options.textFormat;
-  if (options.output == "-") return RelightFormat::kCsv;
+  if (options.output == "-") return options.textFormat.value_or(RelightFormat::kCsv);
   const std::string suffix = suffixOf(options.output);
   const std::optional<RelightFormat> format = formatNamed(suffix.empty() ? "" : suffix.substr(1));
+  if (options.textFormat) {
+    if (format && *format != *options.textFormat)
+      throw UsageError("--format: " + options.output + " ends in " + suffix + ", which is another format");
+    return *options.textFormat;
+  }
   if (format) return *format;
-  throw Error(options.output, "the suffix names no output format",
-              "end it in .png, .exr, .ply, .csv or .json");
+  throw UsageError("--output: the suffix of " + options.output +
+                   " names no format; end it in .png, .exr, .ply, .csv or "
+                   ".json, or give --format");
 }
 
 bool isPicture(RelightFormat format) {
@@ -104,6 +109,8 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   const Console console = makeConsole(options.common, options.output);
   const RelightFormat format = chooseFormat(options);
   checkUsage(format, parsed);
+  // A misspelt camera is better known before anything is read.
+  if (isPicture(format)) chooseCamera(options, std::vector<Vec3f>{{-1, -1, -1}, {1, 1, 1}});
   std::vector<std::string> inputs = options.lights;
   inputs.push_back(options.asset);
   const int frames = frameCount(options);
@@ -206,7 +213,7 @@ void addRelightCommand(CLI::App& app, Command& chosen) {
       ->type_name("OUT");
   sub.add_option_function<std::string>(
          "--format", [options](const std::string& name) { options->textFormat = formatNamed(name); },
-         "Text, whatever the suffix (default for -: csv)")
+         "Text for - (default: csv) or a name without a known suffix")
       ->check(CLI::IsMember({"csv", "json"}))
       ->type_name("NAME");
   addRotation(sub, options->rotation);

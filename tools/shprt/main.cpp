@@ -15,6 +15,9 @@
 namespace {
 
 constexpr int kBadData = 1, kBadUsage = 2, kInterrupted = 130;
+// shprt diff keeps 1 for files that differ: a script must be able to tell a failed test from one that could
+// not be made, or whose result could not be written.
+constexpr int kNotComparable = 2;
 
 std::string hint(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
@@ -29,7 +32,17 @@ std::string describe(const CLI::App& app, const CLI::ParseError& error) {
   return error.what();
 }
 
-int run(int argc, char** argv) {
+void parse(CLI::App& app, int argc, char** argv, shprt::Command& chosen) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    chosen = [&app, request = CLI::Error(help)] { return app.exit(request); };
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   CLI::App app{
       "Precomputed radiance transfer: bake how light reaches a mesh once, relight it with dot products."};
   app.name("shprt");
@@ -48,28 +61,19 @@ int run(int argc, char** argv) {
   shprt::addConvertCommand(app, chosen);
   shprt::addDiffCommand(app, chosen);
   shprt::addInfoCommand(app, chosen);
+  int failure = kBadData;
   try {
-    app.parse(argc, argv);
+    parse(app, argc, argv, chosen);
+    if (app.got_subcommand("diff")) failure = kNotComparable;
     const int code = chosen();
     shprt::flushStandardOutput();
     return code;
-  } catch (const CLI::Success& help) {
-    app.exit(help);
-    shprt::flushStandardOutput();
-    return 0;
   } catch (const CLI::ParseError& error) {
     shprt::printError(describe(app, error) + hint(app));
+    return kBadUsage;
   } catch (const shprt::UsageError& error) {
     shprt::printError(error.what() + hint(app));
-  }
-  return kBadUsage;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
+    return kBadUsage;
   } catch (const shprt::Interrupted&) {
     shprt::printError("interrupted; the output was not written");
     return kInterrupted;
@@ -80,5 +84,5 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     shprt::printError(std::string("unexpected failure: ") + error.what());
   }
-  return kBadData;
+  return failure;
 }

@@ -17,16 +17,6 @@ namespace {
 // Dark enough to leave the mesh its contrast, and not black, so that its own black parts show.
 constexpr Vec3f kDefaultBackground{0.035f, 0.035f, 0.035f};
 
-Camera chooseCamera(const RelightOptions& options, const TransferAsset& asset) {
-  const double aspect = static_cast<double>(options.width) / options.height;
-  if (options.camera.empty()) return frameCamera(asset.positions, aspect);
-  try {
-    return parseCamera(options.camera, asset.positions, aspect);
-  } catch (const Error& error) {
-    throw UsageError(std::string("--camera: ") + error.what());
-  }
-}
-
 // Background colours are given as they shall be seen, so exposure is taken out of them beforehand.
 Vec3f plainBackground(const RelightOptions& options, RelightFormat format, float displayExposure) {
   if (options.backgroundColour) return *options.backgroundColour * (1 / displayExposure);
@@ -34,6 +24,16 @@ Vec3f plainBackground(const RelightOptions& options, RelightFormat format, float
 }
 
 }  // namespace
+
+Camera chooseCamera(const RelightOptions& options, std::span<const Vec3f> positions) {
+  const double aspect = static_cast<double>(options.width) / options.height;
+  if (options.camera.empty()) return frameCamera(positions, aspect);
+  try {
+    return parseCamera(options.camera, positions, aspect);
+  } catch (const Error& error) {
+    throw UsageError(std::string("--camera: ") + error.what());
+  }
+}
 
 const EnvironmentMap* backgroundMap(const RelightOptions& options, const LightSum& lights) {
   if (!options.background) return nullptr;
@@ -46,7 +46,7 @@ const EnvironmentMap* backgroundMap(const RelightOptions& options, const LightSu
 
 void writePictures(const RelightOptions& options, RelightFormat format, const TransferAsset& asset,
                    const FrameRadiance& radiance, const LightSum& lights, float displayExposure) {
-  const Camera camera = chooseCamera(options, asset);
+  const Camera camera = chooseCamera(options, asset.positions);
   RenderOptions render;
   render.width = options.width;
   render.height = options.height;

@@ -8,8 +8,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "shprt/base/error.h"
 
@@ -70,10 +72,18 @@ bool isLfsPointer(std::string_view bytes) {
   return bytes.starts_with("version https://git-lfs");
 }
 
-std::string sha256(std::string_view bytes) {
+std::string sha256OfFile(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error(path.string(), "cannot be opened", "check its permissions");
+  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
+  EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
+  std::vector<char> block(std::size_t{1} << 16);
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
+    EVP_DigestUpdate(context.get(), block.data(), static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw Error(path.string(), "cannot be read");
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  EVP_DigestFinal_ex(context.get(), digest.data(), &size);
   std::string text;
   for (unsigned int i = 0; i < size; ++i) {
     constexpr char kDigits[] = "0123456789abcdef";

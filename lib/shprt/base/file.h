@@ -20,8 +20,9 @@ std::string readFirstBytes(const std::filesystem::path& path, std::size_t count)
 // itself.
 bool isLfsPointer(std::string_view bytes);
 
-// SHA-256 of bytes in lower-case hexadecimal, as `sha256sum` prints it.
-std::string sha256(std::string_view bytes);
+// SHA-256 of a file's content in lower-case hexadecimal, as `sha256sum` prints it, read block by block.
+// Throws Error when the file cannot be read.
+std::string sha256OfFile(const std::filesystem::path& path);
 
 // An output file that appears under its name only when complete: write to path(), then commit(). Without
 // commit() the destructor removes what was written, and an older file of that name stays as it was. A target

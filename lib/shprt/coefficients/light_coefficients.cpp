@@ -41,9 +41,12 @@ LightStatistics measureLight(const LightCoefficients& light) {
       const auto& rgb = c[static_cast<std::size_t>(index)];
       return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
     };
-    const Vec3d direction =
-        normalize({luminance(shIndex(1, 1)), luminance(shIndex(1, -1)), luminance(shIndex(1, 0))});
-    statistics.dominantDirection = {direction.x, direction.y, direction.z};
+    const Vec3d vector{luminance(shIndex(1, 1)), luminance(shIndex(1, -1)), luminance(shIndex(1, 0))};
+    // What rounding leaves of light that comes evenly from everywhere is no direction.
+    if (length(vector) > 1e-12 * std::abs(luminance(0))) {
+      const Vec3d direction = normalize(vector);
+      statistics.dominantDirection = {direction.x, direction.y, direction.z};
+    }
   }
   for (int l = 0; l <= light.degree; ++l) {
     std::array<double, 3> energy{};

@@ -39,6 +39,7 @@ LightCoefficients projectConstant(const std::array<double, 3>& radiance, int deg
 
 LightCoefficients addLights(const LightCoefficients& a, const LightCoefficients& b) {
   LightCoefficients sum = withDegree(a, std::min(a.degree, b.degree));
+  sum.statisticsJson.clear();
   for (std::size_t i = 0; i < sum.coefficients.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) sum.coefficients[i][c] += b.coefficients[i][c];
   sum.source = a.source.empty() ? b.source : b.source.empty() ? a.source : a.source + " + " + b.source;
@@ -46,6 +47,7 @@ LightCoefficients addLights(const LightCoefficients& a, const LightCoefficients&
 }
 
 LightCoefficients withDegree(const LightCoefficients& light, int degree) {
+  if (degree == light.degree) return light;
   LightCoefficients changed = light;
   changed.degree = degree;
   changed.coefficients.resize(static_cast<std::size_t>(coefficientCount(degree)));

@@ -1,0 +1,67 @@
+// Band 0 of the transfer is albedo / pi times the integral of visibility times cosine times y_00, so
+// visibility is sqrt(4 pi) times it over albedo.
+
+#include "shprt/report/asset_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "shprt/sh/basis.h"
+
+namespace shprt {
+namespace {
+
+double bandEnergy(const TransferCoefficients& transfer, int l) {
+  double sum = 0;
+  for (int channel = 0; channel < transfer.channels; ++channel)
+    for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i) {
+      const float* row = transfer.row(channel, i);
+      for (std::size_t v = 0; v < transfer.vertexCount; ++v)
+        sum += static_cast<double>(row[v]) * static_cast<double>(row[v]);
+    }
+  return sum / (static_cast<double>(transfer.vertexCount) * transfer.channels);
+}
+
+void measureVisibility(const TransferAsset& asset, AssetStatistics& statistics) {
+  const TransferCoefficients& transfer = asset.transfer;
+  double sum = 0, least = std::numeric_limits<double>::infinity(), most = 0;
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < transfer.vertexCount; ++v) {
+    const Vec3f& albedo = asset.albedo[v];
+    // The brightest channel says it with the fewest rounded digits.
+    const std::array<float, 3> channels = {albedo.x, albedo.y, albedo.z};
+    const auto brightest =
+        static_cast<int>(std::max_element(channels.begin(), channels.end()) - channels.begin());
+    const auto reflected = static_cast<double>(channels[static_cast<std::size_t>(brightest)]);
+    if (!(reflected > 0)) continue;
+    const float* row = transfer.row(transfer.channels == 1 ? 0 : brightest, 0);
+    const double visibility = std::sqrt(4 * std::numbers::pi) * static_cast<double>(row[v]) / reflected;
+    sum += visibility;
+    least = std::min(least, visibility);
+    most = std::max(most, visibility);
+    ++count;
+  }
+  if (count == 0) return;
+  statistics.meanVisibility = sum / static_cast<double>(count);
+  statistics.minimumVisibility = least;
+  statistics.maximumVisibility = most;
+}
+
+}  // namespace
+
+AssetStatistics measureAsset(const TransferAsset& asset) {
+  AssetStatistics statistics;
+  const auto [low, high] = std::minmax_element(asset.transfer.values.begin(), asset.transfer.values.end());
+  if (low == asset.transfer.values.end()) return statistics;
+  statistics.minimum = *low;
+  statistics.maximum = *high;
+  for (int l = 0; l <= asset.transfer.degree; ++l)
+    statistics.bandEnergy.push_back(bandEnergy(asset.transfer, l));
+  measureVisibility(asset, statistics);
+  return statistics;
+}
+
+}  // namespace shprt

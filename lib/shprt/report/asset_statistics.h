@@ -1,0 +1,21 @@
+// What a baked transfer amounts to, in figures that a reader can judge it by.
+#pragma once
+
+#include <vector>
+
+#include "shprt/coefficients/transfer_asset.h"
+
+namespace shprt {
+
+struct AssetStatistics {
+  float minimum = 0, maximum = 0;  // of all transfer coefficients
+  // Mean over vertices and channels of the sum over m of transfer^2, for each band.
+  std::vector<double> bandEnergy;
+  // Cosine-weighted share of the sky that vertices see, mean and extremes over those that reflect anything;
+  // all 0 when none does. Interreflected light counts as sky seen, so it may exceed 1 there.
+  double meanVisibility = 0, minimumVisibility = 0, maximumVisibility = 0;
+};
+
+AssetStatistics measureAsset(const TransferAsset& asset);
+
+}  // namespace shprt
