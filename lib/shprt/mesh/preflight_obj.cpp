@@ -53,7 +53,7 @@ class ObjPreflight {
       }
       readLine(line);
     }
-    bytes = std::string();
+    std::string().swap(bytes);  // assigning an empty string would keep its memory
     writeFaces(size);
     finishReport();
     return std::move(file_);
@@ -200,7 +200,7 @@ class ObjPreflight {
     out.reserve(sourceBytes + sourceBytes / 2);
     for (std::string* part : {&positions_, &textures_, &normals_}) {
       out += *part;
-      *part = std::string();
+      std::string().swap(*part);
     }
     FaceFilter filter(positionCount_, file_);
     std::vector<std::int64_t> indices;
