@@ -105,11 +105,13 @@ class Obj:
     def material(self, name):
         self.lines.append(f"usemtl {name}")
 
-    def patch(self, origin, u, v, cells_u, cells_v):
-        """The parallelogram origin + s u + t v; its normal is u x v."""
+    def patch(self, origin, u, v, cells_u, cells_v, skip=lambda middle: False):
+        """The parallelogram origin + s u + t v without the cells whose middle is to be skipped; its normal is u x v."""
         at = lambda s, t: self.vertex([origin[k] + u[k] * s / cells_u + v[k] * t / cells_v for k in range(3)])
         for s in range(cells_u):
             for t in range(cells_v):
+                if skip([origin[k] + u[k] * (s + 0.5) / cells_u + v[k] * (t + 0.5) / cells_v for k in range(3)]):
+                    continue
                 self.lines.append(f"f {at(s, t)} {at(s + 1, t)} {at(s + 1, t + 1)} {at(s, t + 1)}")
 
     def box(self, low, high, cell, bottom=False):
@@ -136,7 +138,26 @@ class Obj:
 def courtyard():
     scene = Obj()
     scene.material("paving")
-    scene.patch((-2, 0, 2), (4, 0, 0), (0, 0, -4), 32, 32)
+    # The paving meets the column: a square of 8 x 8 cells gives way to rings around it.
+    sides, radius, height, rings = 32, 0.28, 1.6, 6
+    middle, half, cell = (1.0, 0.25), 0.5, 0.125
+    inside = lambda c, m: abs(c - m) < half
+    scene.patch((-2, 0, 2), (4, 0, 0), (0, 0, -4), 32, 32,
+                skip=lambda p: inside(p[0], middle[0]) and inside(p[2], middle[1]))
+    square = [(half, -half + cell * k) for k in range(8)] + [(half - cell * k, half) for k in range(8)]
+    square += [(-x, -z) for x, z in square]  # counter-clockwise seen from below, as the column's ring runs
+
+    def ring(k, r, y):
+        """Ring r of the paving: 0 on the column, `rings` on the square's border."""
+        x, z = square[k % sides]
+        s = radius / math.hypot(x, z)
+        s += (1 - s) * r / rings
+        return (middle[0] + s * x, y, middle[1] + s * z)
+
+    for k in range(sides):
+        for r in range(rings):
+            q = [ring(k, r, 0), ring(k + 1, r, 0), ring(k + 1, r + 1, 0), ring(k, r + 1, 0)]
+            scene.lines.append("f " + " ".join(str(scene.vertex(p)) for p in q))
     scene.material("red_wall")
     scene.patch((-2, 0, 2), (0, 0, -4), (0, 2, 0), 24, 12)      # left, facing +x
     scene.material("blue_wall")
@@ -145,16 +166,13 @@ def courtyard():
     scene.patch((-2, 0, -2), (4, 0, 0), (0, 2, 0), 24, 12)      # back, facing +z
     scene.material("stone")
     for i in range(3):
-        scene.box((-2, 0.2 * i, -2 + 0.0), (0.2, 0.2 * (i + 1), -0.8 - 0.3 * i), 0.14)
-    scene.material("stone")
-    sides, radius, height = 20, 0.28, 1.6
-    ring = lambda k, y: (1.0 + radius * math.cos(2 * math.pi * k / sides), y, 0.3 + radius * math.sin(2 * math.pi * k / sides))
+        scene.box((-2, 0.2 * i, -2), (0.25, 0.2 * (i + 1), -0.75 - 0.25 * i), 0.125)
     for k in range(sides):
         for j in range(12):
             y0, y1 = height * j / 12, height * (j + 1) / 12
-            q = [ring(k + 1, y0), ring(k, y0), ring(k, y1), ring(k + 1, y1)]
+            q = [ring(k + 1, 0, y0), ring(k, 0, y0), ring(k, 0, y1), ring(k + 1, 0, y1)]
             scene.lines.append("f " + " ".join(str(scene.vertex(p)) for p in q))
-    scene.lines.append("f " + " ".join(str(scene.vertex(ring(-k, height))) for k in range(sides)))  # the column's flat top
+    scene.lines.append("f " + " ".join(str(scene.vertex(ring(-k, 0, height))) for k in range(sides)))  # the column's flat top
     scene.write("courtyard.obj", "courtyard.mtl")
     with open(path("courtyard.mtl"), "w") as f:
         f.write("# made by data/generate.py\n")

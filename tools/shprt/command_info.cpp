@@ -2,8 +2,10 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "commands.h"
 #include "console.h"
@@ -24,6 +26,27 @@ namespace {
 
 constexpr int kListDegree = 4;  // at which a list of lights is looked at
 
+// What the loader and the bake counted, in words and where there is anything to tell.
+void printCounts(const Console& console, const std::map<std::string, std::uint64_t>& counts) {
+  constexpr std::pair<const char*, const char*> kWords[] = {{"sourceVertices", "vertices in source"},
+                                                            {"sourceFaces", "faces in source"},
+                                                            {"badIndexFaces", "bad index, left out"},
+                                                            {"nonFiniteFaces", "NaN corner, left out"},
+                                                            {"shortFaces", "short faces, left out"},
+                                                            {"zeroAreaTriangles", "no area, left out"},
+                                                            {"nonFiniteVertices", "NaN vertices"},
+                                                            {"unreferencedVertices", "unused vertices"},
+                                                            {"generatedNormals", "normals computed"},
+                                                            {"samplePoints", "points baked"},
+                                                            {"rays", "rays"},
+                                                            {"fullyVisible", "see everything"},
+                                                            {"fullyHidden", "see nothing"}};
+  for (const auto& [name, words] : kWords) {
+    const auto count = counts.find(name);
+    if (count != counts.end() && count->second > 0) console.field(words, formatCount(count->second));
+  }
+}
+
 Json describeAsset(const Console& console, const std::string& path) {
   const TransferAsset asset = readAsset(path);
   const std::vector<AssetPart> parts = listAssetParts(path);
@@ -43,9 +66,11 @@ Json describeAsset(const Console& console, const std::string& path) {
     console.field("source", source.file + "  sha256 " + source.sha256);
     sources.push_back({{"file", source.file}, {"sha256", source.sha256}});
   }
-  for (const auto& [what, seconds] : metadata.seconds)
-    console.field("seconds to " + what, fmt::format("{:.3f}", seconds));
-  for (const auto& [what, count] : metadata.counts) console.field(what, formatCount(count));
+  for (const char* step : {"load", "build", "trace"}) {
+    if (const auto seconds = metadata.seconds.find(step); seconds != metadata.seconds.end())
+      console.field(std::string("seconds to ") + step, fmt::format("{:.3f}", seconds->second));
+  }
+  printCounts(console, metadata.counts);
   for (const std::string& note : metadata.notes) console.field("note", note);
   const AssetStatistics statistics = measureAsset(asset);
   console.field("sky seen", fmt::format("{:.4f} on average, {:.4f} to {:.4f}", statistics.meanVisibility,

@@ -19,6 +19,7 @@
 #include "shprt/mesh/write_ply.h"
 #include "shprt/picture/tone_map.h"
 #include "shprt/relight/relight.h"
+#include "window_option.h"
 
 namespace shprt {
 namespace {
@@ -75,10 +76,31 @@ float automaticExposure(const RelightOptions& options, const std::vector<Vec3f>&
   return exposure;
 }
 
-std::uint64_t countNegative(const std::vector<Vec3f>& radiance) {
-  return static_cast<std::uint64_t>(std::count_if(radiance.begin(), radiance.end(), [](const Vec3f& c) {
-    return std::min({c.x, c.y, c.z}) < 0;
-  }));
+struct Ringing {
+  std::uint64_t vertices = 0;  // with a negative colour
+  float deepest = 0;           // most negative value over the mean luminance
+};
+
+Ringing measureRinging(const std::vector<Vec3f>& radiance) {
+  Ringing ringing;
+  double sum = 0;
+  for (const Vec3f& value : radiance) {
+    const float least = std::min({value.x, value.y, value.z});
+    ringing.vertices += least < 0;
+    ringing.deepest = std::min(ringing.deepest, least);
+    sum += static_cast<double>(luminance(value));
+  }
+  if (sum > 0) ringing.deepest /= static_cast<float>(sum / static_cast<double>(radiance.size()));
+  return ringing;
+}
+
+void noteRinging(const Console& console, const RelightOptions& options, const Ringing& ringing,
+                 bool display) {
+  if (ringing.vertices == 0) return;
+  console.note(fmt::format("{} a negative colour, down to {:.2g}% of the mean, from ringing{}{}",
+                           countOf(ringing.vertices, "vertex has", "vertices have"),
+                           100 * static_cast<double>(ringing.deepest), display ? "; shown as 0" : "",
+                           options.window == Window::kNone ? "; --window hann softens the light" : ""));
 }
 
 void writeColouredMesh(const RelightOptions& options, const TransferAsset& asset,
@@ -156,12 +178,8 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   } else if (options.exposure) {
     console.field("exposure", fmt::format("{:+.3f} EV", exposureValue));
   }
-  const std::uint64_t negative = countNegative(first);
-  if (negative > 0) {
-    console.note(countOf(negative, "vertex has", "vertices have") +
-                 " negative radiance, from the light's ringing" + (display ? ", shown as black" : "") +
-                 "; project-probe --window hann softens the light");
-  }
+  const Ringing ringing = measureRinging(first);
+  noteRinging(console, options, ringing, display);
   writeResult(options, format, asset, first, radiance, lights, exposure);
   console.field("wrote", options.output == "-" ? "standard output"
                          : !options.turntable
@@ -176,7 +194,8 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
                                 {"degree", lights.light.degree},
                                 {"exposure", exposureValue},
                                 {"exposureIsAutomatic", automatic},
-                                {"negativeVertices", negative},
+                                {"negativeVertices", ringing.vertices},
+                                {"deepestNegative", ringing.deepest},
                                 {"secondsToRelight", seconds}});
   return 0;
 }
@@ -220,6 +239,7 @@ void addRelightCommand(CLI::App& app, Command& chosen) {
   addExposure(sub, options->exposure,
               "Multiply the light by 2^EV (default: 0, but for .png and colours of .ply automatic)");
   addLayout(sub, options->light.layout);
+  addWindow(sub, options->window);
   addPictureOptions(sub, *options);
   addThreads(sub, options->threads);
   addCommonOptions(sub, options->common);

@@ -42,7 +42,7 @@ void Console::line(std::string_view text) const {
 }
 
 void Console::field(std::string_view label, std::string_view value) const {
-  line(fmt::format("{:<{}}{}", label, kLabelWidth, value));
+  line(fmt::format("{:<{}} {}", label, kLabelWidth - 1, value));
 }
 
 void Console::note(std::string_view text) const {

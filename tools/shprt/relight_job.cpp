@@ -32,6 +32,12 @@ LightSum addUpLights(const Console& console, const RelightOptions& options, int 
   }
   // Bands the asset lacks would only be turned in vain.
   if (sum.light.degree > lowest) sum.light = withDegree(sum.light, lowest);
+  if (options.window != Window::kNone) {
+    WindowResult windowed = applyWindow(sum.light, options.window);
+    console.field("window", fmt::format("{}; takes {:.3g}% of the energy in bands 1 and up", windowed.name,
+                                        100 * windowed.strength));
+    sum.light = std::move(windowed.light);
+  }
   if (options.exposure) sum.light = scaleLight(sum.light, std::exp2(*options.exposure));
   return sum;
 }

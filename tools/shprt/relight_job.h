@@ -8,6 +8,7 @@
 #include "console.h"
 #include "light_arguments.h"
 #include "options.h"
+#include "shprt/light/window.h"
 
 namespace shprt {
 
@@ -18,6 +19,7 @@ struct RelightOptions {
   std::vector<std::string> lights;
   std::optional<RelightFormat> textFormat;  // csv or json, overrides the suffix of output
   LightOptions light;
+  Window window = Window::kNone;
   std::optional<Mat3> rotation;
   std::optional<double> exposure;
   std::string camera;  // "" for the automatic one
@@ -29,7 +31,7 @@ struct RelightOptions {
   CommonOptions common;
 };
 
-// The lights added up, in their own orientation, times 2^exposure.
+// The lights added up and windowed, in their own orientation, times 2^exposure.
 struct LightSum {
   LightCoefficients light;
   std::vector<EnvironmentMap> maps;            // of the lights that are images

@@ -121,7 +121,8 @@ LoadedImage read(const std::filesystem::path& path) {
   const auto input = OIIO::ImageInput::open(path.string(), &hints);
   if (!input) {
     const std::string reason = OIIO::geterror();
-    fail(path, "cannot be read as an image: " + reason.substr(0, 200),
+    const bool unknown = reason.find("could not find a format reader") != std::string::npos;
+    fail(path, "cannot be read as an image: " + (unknown ? "its format is not known" : reason.substr(0, 200)),
          "give a picture in a format that OpenImageIO reads");
   }
   const OIIO::ImageSpec spec = input->spec();

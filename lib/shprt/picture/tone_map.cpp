@@ -12,10 +12,6 @@ namespace {
 constexpr double kPercentile = 0.98;
 constexpr float kTarget = 0.9f;
 
-float luminance(Vec3f rgb) {
-  return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z;
-}
-
 float encodeChannel(float linear) {
   if (!(linear > 0)) return 0;  // negative lobes, and NaN
   if (linear >= 1) return 1;
@@ -24,6 +20,10 @@ float encodeChannel(float linear) {
 }
 
 }  // namespace
+
+float luminance(Vec3f rgb) {
+  return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z;
+}
 
 float autoExposure(std::span<const Vec3f> radiance) {
   std::vector<float> luminances;

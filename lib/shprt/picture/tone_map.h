@@ -10,6 +10,8 @@
 
 namespace shprt {
 
+// Of linear Rec.709.
+float luminance(Vec3f rgb);
 // The exposure (a factor) that brings the given percentile of luminance to 0.9: for pictures when none is
 // asked for.
 float autoExposure(std::span<const Vec3f> radiance);
