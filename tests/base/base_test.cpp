@@ -35,6 +35,35 @@ TEST(Error, IsOneLineWhateverTheFileIsCalled) {
   EXPECT_STREQ(Error("a.obj", "is empty").what(), "a.obj: is empty");
 }
 
+TEST(AtomicFile, FollowsLinksToFilesThatDoNotExistYet) {
+  const fs::path folder = freshFolder("dangling");
+  fs::create_symlink("second", folder / "first");
+  fs::create_symlink("target.txt", folder / "second");
+  writeFile(folder / "first", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "first"));
+  EXPECT_EQ(readFile(folder / "target.txt"), "new");
+  fs::create_symlink("nowhere/x", folder / "lost");
+  EXPECT_THROW(writeFile(folder / "lost", "new"), Error);
+  fs::create_symlink("round", folder / "round");
+  EXPECT_THROW(writeFile(folder / "round", "new"), Error);
+  EXPECT_EQ(entries(folder), 5u);
+}
+
+TEST(AtomicFile, TakesTheLongestNames) {
+  const fs::path file = freshFolder("long") / (std::string(251, 'n') + ".exr");
+  writeFile(file, "x");
+  EXPECT_EQ(readFile(file), "x");
+}
+
+TEST(AtomicFile, TemporariesCanBeRemovedFromASignalHandler) {
+  const fs::path folder = freshFolder("signal");
+  writeFile(folder / "done.txt", "x");
+  const AtomicFile one(folder / "a.txt"), other(folder / "b.txt");
+  EXPECT_EQ(entries(folder), 3u);
+  removeTemporaryFiles();
+  EXPECT_EQ(entries(folder), 1u);
+}
+
 TEST(Sha256, MatchesTheVectorsOfFips180) {
   const fs::path file = freshFolder("sha256") / "a";
   writeFile(file, "");

@@ -75,6 +75,24 @@ TEST(LightFile, EveryTruncationIsRefused) {
   }
 }
 
+TEST(LightFile, DeepNestingIsRefused) {
+  const std::string text = formatLight(makeLight(1));
+  const std::string statistics = "\"statistics\": {\"pixels\":12}";
+  ASSERT_NE(text.find(statistics), std::string::npos);
+  for (const int depth : {50, 200, 200000}) {
+    std::string nested = text;
+    nested.replace(text.find(statistics), statistics.size(),
+                   "\"statistics\": {\"a\":" + std::string(static_cast<std::size_t>(depth), '[') +
+                       std::string(static_cast<std::size_t>(depth), ']') + "}");
+    std::ofstream(scratch("deep.json")) << nested;
+    if (depth < 100) {
+      EXPECT_EQ(readLight(scratch("deep.json")).degree, 1);
+    } else {
+      EXPECT_THROW(readLight(scratch("deep.json")), Error) << depth;
+    }
+  }
+}
+
 TEST(LightFile, IsNotWrittenWithWhatItCannotHold) {
   std::filesystem::remove(scratch("infinite.json"));
   LightCoefficients light = makeLight(1);

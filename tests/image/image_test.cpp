@@ -138,6 +138,23 @@ TEST(Images, OrientationTagsTurnThePicture) {
   }
 }
 
+// A reader that fills up what is missing and reports success.
+TEST(Images, ACutJpegIsRefused) {
+  Image image{64, 64, {}};
+  for (int i = 0; i < 64 * 64; ++i)
+    image.pixels.push_back({0.2f + 0.1f * std::sin(0.1f * float(i)), 0.3f, 0.5f});
+  saveImage(scratch("whole.jpg"), image);
+  EXPECT_EQ(loadImage(scratch("whole.jpg")).image.width, 64);
+  const std::string bytes = readFile(scratch("whole.jpg"));
+  writeFile(scratch("cut.jpg"), bytes.substr(0, bytes.size() / 2));
+  EXPECT_THROW(loadImage(scratch("cut.jpg")), Error);
+}
+
+TEST(Images, ADataWindowOutsideIsRefused) {
+  writeChannels(scratch("apart.exr"), {"R", "G", "B"}, OIIO::TypeDesc::FLOAT, {1, 2, 3}, 9, 0, 4, 2);
+  EXPECT_THROW(loadImage(scratch("apart.exr")), Error);
+}
+
 TEST(Images, ADamagedPngIsRefusedInSilence) {
   saveImage(scratch("whole.png"), Image{16, 8, std::vector<Vec3f>(128, Vec3f{0.1f, 0.2f, 0.3f})});
   const std::string whole = readFile(scratch("whole.png"));

@@ -185,8 +185,8 @@ TEST(Off, SaysWhatComesAfterTheLastFace) {
 TEST(Stl, AsciiInAnySpelling) {
   std::string shouted = "solid x\n" + kFacet + "endsolid x\n";
   for (char& c : shouted) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  for (const std::string& text :
-       {shouted, "\n  solid\n" + kFacet + "endsolid\n", "\xef\xbb\xbfsolid\n" + kFacet + "endsolid"}) {
+  for (const std::string& text : {shouted, "\n  solid\n" + kFacet + "endsolid\n",
+                                  "\xef\xbb\xbfsolid\n" + kFacet + "endsolid", "\xef\xbb\xbf\n" + shouted}) {
     const Mesh mesh = loadText("any.stl", text);
     EXPECT_EQ(mesh.triangles.size(), 1u);
     EXPECT_TRUE(mesh.report.notes.empty());

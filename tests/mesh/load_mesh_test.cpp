@@ -220,7 +220,8 @@ TEST(Triangulate, CutsConcavePolygonsInAnyPlane) {
                             scale);
         if (reversed) std::reverse(corners.begin(), corners.end());
         std::vector<std::array<std::uint32_t, 3>> triangles;
-        EXPECT_TRUE(triangulate(corners, triangles));
+        TriangulationBudget budget;
+        EXPECT_TRUE(triangulate(corners, triangles, budget));
         ASSERT_EQ(triangles.size(), corners.size() - 2);
         const Vec3d axisNormal = axis == 0 ? Vec3d{0, 0, 1} : axis == 1 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
         for (Vec3d& p : corners) p = p / scale;
@@ -233,7 +234,8 @@ TEST(Triangulate, CutsAroundABridgedHole) {
   const std::vector<Vec3d> corners = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                                       {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangulate(corners, triangles);
+  TriangulationBudget budget;
+  triangulate(corners, triangles, budget);
   ASSERT_EQ(triangles.size(), 8u);
   EXPECT_NEAR(area(corners, triangles, {0, 0, 1}), 12, 1e-12);
 }
@@ -261,7 +263,8 @@ TEST(Triangulate, AlwaysEnds) {
   }
   for (const auto& corners : {star, line, point, gear}) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    triangulate(corners, triangles);
+    TriangulationBudget budget;
+    triangulate(corners, triangles, budget);
     EXPECT_EQ(triangles.size(), corners.size() - 2);
   }
 }

@@ -26,7 +26,8 @@ TEST(Triangulate, CollinearCornersStayInTriangles) {
     std::vector<Vec3d> corners;
     for (std::size_t i = 0; i < outline.size(); ++i) corners.push_back(outline[(start + i) % outline.size()]);
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    EXPECT_TRUE(triangulate(corners, triangles));
+    TriangulationBudget budget;
+    EXPECT_TRUE(triangulate(corners, triangles, budget));
     ASSERT_EQ(triangles.size(), corners.size() - 2);
     std::vector<bool> used(corners.size());
     double area = 0;
@@ -69,7 +70,8 @@ TEST(Triangulate, BridgesAndSpikesAddNoSurface) {
     std::vector<Vec3d> corners;
     for (std::size_t i = 0; i < outline.size(); ++i) corners.push_back(outline[(start + i) % outline.size()]);
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    EXPECT_TRUE(triangulate(corners, triangles));
+    TriangulationBudget budget;
+    EXPECT_TRUE(triangulate(corners, triangles, budget));
     ASSERT_EQ(triangles.size(), corners.size() - 2);
     double area = 0;
     for (const auto& [a, b, c] : triangles) {
@@ -112,6 +114,18 @@ TEST(SharedMeshes, PolygonsKeepTheirArea) {
   }
   // Two rectangles of 0.038172 by 0.087448, joined by a bridge without width.
   EXPECT_NEAR(areaOf(loadMesh(folder + "easy3d_complex_face_1.off").mesh), 2 * 0.038172 * 0.087448, 1e-8);
+}
+
+TEST(Triangulate, AMeshHasOneBudget) {
+  // Crossing polygons use it up; what comes after is cut as it comes, and still completely.
+  std::vector<Vec3d> chaos;
+  for (int i = 0; i < 300; ++i) chaos.push_back({std::sin(12.9 * i), std::cos(78.2 * i), 0});
+  TriangulationBudget budget{100'000};
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  EXPECT_FALSE(triangulate(chaos, triangles, budget));
+  EXPECT_EQ(budget.testsLeft, 0u);
+  EXPECT_FALSE(triangulate(chaos, triangles, budget));
+  EXPECT_EQ(triangles.size(), 2 * (chaos.size() - 2));
 }
 
 TEST(LoadMesh, FacesOfManyRepeatedCornersEnd) {

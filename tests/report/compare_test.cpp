@@ -105,6 +105,14 @@ TEST(Compare, PutsVerticesThatAreNoNumberFirst) {
   EXPECT_EQ(comparison.worst[1].error, 1);
 }
 
+TEST(Compare, LargeValuesDoNotOverflow) {
+  LightCoefficients a{0, {{1e300, 1, 1}}, "", ""}, b = a;
+  b.coefficients[0][0] = 2e300;
+  const Comparison comparison = compareLights(a, b, {});
+  EXPECT_NEAR(comparison.total.rmsError / (1e300 / std::sqrt(3.0)), 1, 1e-12);
+  EXPECT_NEAR(comparison.total.rmsReference / (1e300 / std::sqrt(3.0)), 1, 1e-12);
+}
+
 TEST(Compare, ReportsAsTextAndJson) {
   const TransferAsset a = makeAsset(1);
   TransferAsset b = a;

@@ -68,7 +68,10 @@ void checkMemory(const std::string& path, std::size_t vertices, int degree) {
 Bake bakeModel(const BakeOptions& options, const Mesh& mesh, const AlbedoChoice& albedo) {
   if (options.model == "unshadowed") return bakeUnshadowed(mesh, albedo.perVertex, options.shadowed.degree);
   ProgressBar bar("baking", options.common.quiet);
-  return bakeShadowed(mesh, albedo.perVertex, options.shadowed, bar.callback());
+  const InterruptGuard guard;
+  Bake bake = bakeShadowed(mesh, albedo.perVertex, options.shadowed, bar.callback());
+  throwIfInterrupted();
+  return bake;
 }
 
 AssetMetadata describeBake(const BakeOptions& options, const LoadedMesh& loaded, const AlbedoChoice& albedo,
@@ -170,10 +173,7 @@ int runBake(const BakeOptions& options) {
   checkMemory(options.mesh, loaded.mesh.positions.size(), options.shadowed.degree);
   AlbedoChoice albedo = chooseAlbedo(loaded.mesh, options.albedo);
 
-  // Ctrl-C ends the rays and whatever comes before the file is begun.
-  std::optional<InterruptGuard> guard(std::in_place);
   Bake bake = bakeModel(options, loaded.mesh, albedo);
-  throwIfInterrupted();
 
   TransferAsset asset;
   asset.metadata = describeBake(options, loaded, albedo, bake.statistics, loadSeconds);
@@ -184,7 +184,6 @@ int runBake(const BakeOptions& options) {
   asset.textureCoordinates = std::move(loaded.mesh.textureCoordinates);
   asset.triangles = std::move(loaded.mesh.triangles);
   writeAsset(options.output, asset, {options.half, compressionOf(options.compression)});
-  guard.reset();
 
   const double seconds = secondsSince(start);
   printSummary(console, options, loaded.mesh.report, albedo.description, asset, bake.statistics);

@@ -97,10 +97,11 @@ Ringing measureRinging(const std::vector<Vec3f>& radiance) {
 void noteRinging(const Console& console, const RelightOptions& options, const Ringing& ringing,
                  bool display) {
   if (ringing.vertices == 0) return;
-  console.note(fmt::format("{} a negative colour, down to {:.2g}% of the mean, from ringing{}{}",
-                           countOf(ringing.vertices, "vertex has", "vertices have"),
-                           100 * static_cast<double>(ringing.deepest), display ? "; shown as 0" : "",
-                           options.window == Window::kNone ? "; --window hann softens the light" : ""));
+  console.note(
+      fmt::format("{} a negative colour, down to {:.2g}% of the mean, from ringing or negative light{}{}",
+                  countOf(ringing.vertices, "vertex has", "vertices have"),
+                  100 * static_cast<double>(ringing.deepest), display ? "; shown as 0" : "",
+                  options.window == Window::kNone ? "; --window hann softens the light" : ""));
 }
 
 void writeColouredMesh(const RelightOptions& options, const TransferAsset& asset,
@@ -139,7 +140,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   for (int frame = 0; frame < frames; ++frame) checkOutput(frameFile(options, frame), inputs);
   checkInput(options.asset);
   checkOutput(options.common.jsonFile, inputs);
-  checkDistinct(options.output, options.common);
+  for (int frame = 0; frame < frames; ++frame) checkDistinct(frameFile(options, frame), options.common);
   setThreadCount(options.threads);
 
   const TransferAsset asset = readAsset(options.asset);

@@ -42,7 +42,12 @@ void Console::line(std::string_view text) const {
 }
 
 void Console::field(std::string_view label, std::string_view value) const {
-  line(fmt::format("{:<{}} {}", label, kLabelWidth - 1, value));
+  // Names and texts come from files; what they hold must not steer the terminal.
+  std::string shown(value);
+  for (char& c : shown) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  line(fmt::format("{:<{}} {}", label, kLabelWidth - 1, shown));
 }
 
 void Console::note(std::string_view text) const {

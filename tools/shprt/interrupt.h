@@ -1,7 +1,7 @@
-// Ctrl-C in long work: the first ends it cleanly between two steps, the second at once.
+// Ctrl-C. Outside long work it ends the program at once, and what was half written goes with it. In long work
+// the first ends it cleanly between two steps, the second at once.
 #pragma once
 
-#include <csignal>
 #include <stdexcept>
 
 namespace shprt {
@@ -11,16 +11,16 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-// While one lives, SIGINT and SIGTERM are only noted; throwIfInterrupted() acts on them.
+// Takes SIGINT and SIGTERM over for the rest of the program.
+void handleInterrupts();
+
+// While one lives, the first signal is only noted; throwIfInterrupted() acts on it.
 class InterruptGuard {
  public:
   InterruptGuard();
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  struct sigaction formerInterrupt_, formerTerminate_;
 };
 
 void throwIfInterrupted();

@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
   shprt::addConvertCommand(app, chosen);
   shprt::addDiffCommand(app, chosen);
   shprt::addInfoCommand(app, chosen);
+  shprt::handleInterrupts();
   int failure = kBadData;
   try {
     parse(app, argc, argv, chosen);
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
     shprt::printError(error.what() + hint(app));
     return kBadUsage;
   } catch (const shprt::Interrupted&) {
-    shprt::printError("interrupted; the output was not written");
+    shprt::printError("interrupted; what was not finished was not written");
     return kInterrupted;
   } catch (const shprt::Error& error) {
     shprt::printError(error.what());

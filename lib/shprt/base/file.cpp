@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -27,6 +28,35 @@ using FilePointer = std::unique_ptr<std::FILE, FileCloser>;
 
 std::string systemMessage() {
   return std::strerror(errno);
+}
+
+// The names of temporary files that are under way, where a signal handler can read them. More than fit are
+// not removed by it.
+std::array<std::atomic<const char*>, 16> temporaries{};
+
+void enlist(const char* name) {
+  for (auto& slot : temporaries) {
+    const char* none = nullptr;
+    if (slot.compare_exchange_strong(none, name)) return;
+  }
+}
+
+void delist(const char* name) {
+  for (auto& slot : temporaries) {
+    const char* own = name;
+    if (slot.compare_exchange_strong(own, nullptr)) return;
+  }
+}
+
+// The file that a link names, through links to links; it need not exist.
+fs::path followLinks(fs::path path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  std::error_code error;
+  for (int link = 0; link < kMostLinks; ++link) {
+    if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  throw Error(path.string(), "is a link that leads back to itself", "give another output file");
 }
 
 }  // namespace
@@ -104,7 +134,7 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target) {
     return;
   }
   // A link is followed, so that the file it names is replaced and not the link.
-  if (fs::is_symlink(fs::symlink_status(target, error))) target_ = fs::weakly_canonical(target, error);
+  target_ = followLinks(target);
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) {
     throw Error(target.string(), "the folder " + folder.string() + " does not exist", "create it first");
@@ -112,17 +142,21 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target) {
   // A unique name beside the target; created here, so that an unwritable folder is found before the work is
   // done.
   static int counter = 0;
-  temporary_ = folder / ("." + target_.stem().string() + "." + std::to_string(::getpid()) + "-" +
-                         std::to_string(counter++) + target_.extension().string());
+  constexpr std::size_t kLongestStem = 200;  // whole names have at most 255 characters
+  temporary_ =
+      folder / ("." + target_.stem().string().substr(0, kLongestStem) + "." + std::to_string(::getpid()) +
+                "-" + std::to_string(counter++) + target_.extension().string());
   const int descriptor = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
   if (descriptor < 0) throw Error(target.string(), "cannot be written: " + systemMessage());
   ::close(descriptor);
+  enlist(temporary_.c_str());
 }
 
 AtomicFile::~AtomicFile() {
-  if (direct_ || committed_) return;
+  if (direct_) return;
   std::error_code ignored;
-  fs::remove(temporary_, ignored);
+  if (!committed_) fs::remove(temporary_, ignored);
+  delist(temporary_.c_str());
 }
 
 void AtomicFile::commit() {
@@ -132,6 +166,12 @@ void AtomicFile::commit() {
     if (error) throw Error(target_.string(), "cannot be written: " + error.message());
   }
   committed_ = true;
+}
+
+void removeTemporaryFiles() noexcept {
+  for (const auto& slot : temporaries) {
+    if (const char* name = slot.load()) ::unlink(name);
+  }
 }
 
 void writeFile(const fs::path& target, std::string_view bytes) {

@@ -47,6 +47,10 @@ class AtomicFile {
   bool committed_ = false;
 };
 
+// Removes what unfinished AtomicFiles have written so far. Async-signal-safe: for handlers that end the
+// process.
+void removeTemporaryFiles() noexcept;
+
 // Writes bytes to the target through AtomicFile. Throws Error on any failure (no space left, no permission).
 void writeFile(const std::filesystem::path& target, std::string_view bytes);
 

@@ -1,6 +1,7 @@
 #include "shprt/coefficients/asset_metadata.h"
 
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,12 @@ std::string formatMetadata(const TransferAsset& asset) {
 }
 
 ParsedMetadata parseMetadata(const std::filesystem::path& path, const std::string& text) {
-  const nlohmann::json content = nlohmann::json::parse(text, nullptr, false);
+  nlohmann::json content;
+  try {
+    content = parseJson(text);
+  } catch (const std::exception&) {
+    // Told below, as whatever else is no object.
+  }
   if (!content.is_object()) {
     throw Error(path.string(), "attribute shprtMetadata holds no JSON object",
                 "the file is damaged; bake it again");

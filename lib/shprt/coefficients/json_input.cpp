@@ -2,18 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 
 namespace shprt {
 
+nlohmann::json parseJson(std::string_view text) {
+  // Far deeper than any file means; what is deeper would overflow the stack where it is written again.
+  constexpr int kDeepest = 100;
+  return nlohmann::json::parse(text, [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > kDeepest) throw std::length_error("nested too deeply");
+    return true;
+  });
+}
+
 nlohmann::json readJsonObject(const std::filesystem::path& path) {
   constexpr std::uint64_t kMaximumBytes = std::uint64_t{1} << 30;
   const std::string bytes = readFile(path, kMaximumBytes);
   nlohmann::json value;
   try {
-    value = nlohmann::json::parse(bytes);
+    value = parseJson(bytes);
   } catch (const nlohmann::json::parse_error& error) {
     const std::size_t at = std::min<std::size_t>(error.byte > 0 ? error.byte - 1 : 0, bytes.size());
     const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
@@ -22,6 +32,8 @@ nlohmann::json readJsonObject(const std::filesystem::path& path) {
                 "is not valid JSON at line " + std::to_string(line) + ", column " +
                     std::to_string(at - lineStart + 1),
                 "mend the syntax there");
+  } catch (const std::length_error&) {
+    throw Error(path.string(), "is JSON nested more deeply than any that is read here");
   } catch (const nlohmann::json::exception&) {
     throw Error(path.string(), "is JSON with a number beyond the range of double", "mend that number");
   }

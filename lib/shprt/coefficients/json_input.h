@@ -13,6 +13,9 @@
 
 namespace shprt {
 
+// JSON nested at most 100 deep. Throws what nlohmann-json throws, and std::length_error.
+nlohmann::json parseJson(std::string_view text);
+
 // The object a file holds. Throws Error with line and column when it is no JSON, and when it is no object.
 nlohmann::json readJsonObject(const std::filesystem::path& path);
 

@@ -54,7 +54,8 @@ std::vector<Vec3f> readPixels(const std::filesystem::path& path, OIIO::ImageInpu
   std::vector<Vec3f> pixels(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
   const auto [first, last] = std::minmax({channels[0], channels[1], channels[2]});
   const auto read = [&](float* values) {
-    if (input.read_image(0, 0, first, last + 1, OIIO::TypeDesc::FLOAT, values)) return;
+    // Some readers fill what a damaged file lacks, report success, and leave only a message.
+    if (input.read_image(0, 0, first, last + 1, OIIO::TypeDesc::FLOAT, values) && !input.has_error()) return;
     const std::string reason = input.geterror().substr(0, 200);
     fail(path, "is damaged or truncated" + (reason.empty() ? "" : ": " + reason), "copy it again");
   };
@@ -82,6 +83,9 @@ Image showInWindow(Image stored, const std::filesystem::path& path, const OIIO::
     return stored;
   if (spec.full_width <= 0 || spec.full_height <= 0) return stored;
   checkSize(path, spec.full_width, spec.full_height);
+  if (left >= spec.full_width || top >= spec.full_height || left + stored.width <= 0 ||
+      top + stored.height <= 0)
+    fail(path, "has no pixel inside its display window", "mend its data or display window");
   Image shown{spec.full_width, spec.full_height, {}};
   shown.pixels.resize(static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height));
   for (int y = std::max(0, -top); y < stored.height && y + top < shown.height; ++y)

@@ -17,10 +17,13 @@ namespace {
 
 using Preflight = CanonicalFile (*)(const std::filesystem::path&, std::string);
 
+char lower(unsigned char c) {
+  return static_cast<char>(std::tolower(c));
+}
+
 Preflight choosePreflight(const std::filesystem::path& path, std::string_view bytes) {
   std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(), lower);
   if (suffix == ".obj") return preflightObj;
   if (suffix == ".ply") return preflightPly;
   if (suffix == ".off") return preflightOff;
@@ -48,7 +51,9 @@ LoadedMesh loadMesh(const std::filesystem::path& path, const LoadMeshOptions& op
   } else {
     // PLY and STL may be binary: they are decoded only when that brings their first word to light.
     std::vector<std::string> ignored;
-    const std::string head = decodeText(bytes.substr(0, 64), ignored);
+    std::string head = decodeText(bytes.substr(0, 64), ignored);
+    head.erase(0, head.find_first_not_of(" \t\r\n"));
+    std::transform(head.begin(), head.end(), head.begin(), lower);
     if (head.starts_with("ply") || head.starts_with("solid")) bytes = decodeText(std::move(bytes), notes);
   }
   CanonicalFile file = preflight(path, std::move(bytes));

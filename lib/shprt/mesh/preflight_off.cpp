@@ -97,7 +97,7 @@ class OffPreflight {
                  std::uint64_t bytesPerFace) {
     if (vertices > text_.size() / bytesPerVertex + 1 || faces > text_.size() / bytesPerFace + 1) {
       fail("claims " + countOf(vertices, "vertex", "vertices") + " and " + countOf(faces, "face") +
-           ", more than its " + std::to_string(text_.size()) + " bytes can hold");
+           ", more than its remaining " + std::to_string(text_.size()) + " bytes can hold");
     }
     vertexCount_ = vertices;
     faceCount_ = faces;

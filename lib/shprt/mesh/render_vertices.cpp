@@ -26,12 +26,13 @@ Triangles cutFaces(const RawMesh& raw, std::span<const std::uint32_t> welded, Me
   std::vector<Vec3d> polygon;
   std::vector<std::array<std::uint32_t, 3>> local;
   std::uint64_t unfinished = 0;
+  TriangulationBudget budget;
   for (std::size_t face = 0; face < raw.faceCount(); ++face) {
     const std::uint32_t begin = raw.faceStarts[face], end = raw.faceStarts[face + 1];
     polygon.clear();
     for (std::uint32_t c = begin; c < end; ++c) polygon.push_back(toDouble(raw.positions[raw.corners[c]]));
     local.clear();
-    if (!triangulate(polygon, local)) ++unfinished;
+    if (!triangulate(polygon, local, budget)) ++unfinished;
     for (const auto& [a, b, c] : local) {
       const std::uint32_t pa = welded[raw.corners[begin + a]], pb = welded[raw.corners[begin + b]],
                           pc = welded[raw.corners[begin + c]];

@@ -84,11 +84,10 @@ class EarClipping {
   }
 
   // Appends the triangles; false when the work allowed ran out and the rest was cut as it came.
-  bool run(std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    // Simple polygons of n corners need about n^2 tests, crossing ones up to n^3; none shall take minutes.
+  bool run(std::vector<std::array<std::uint32_t, 3>>& triangles, TriangulationBudget& budget) {
+    // Simple polygons of n corners need about n^2 tests, crossing ones up to n^3.
     const std::uint64_t count = points_.size();
-    constexpr std::uint64_t kMostTests = 1'000'000'000;
-    const std::uint64_t allowed = std::min(16 * count * count, kMostTests);
+    const std::uint64_t allowed = std::min(16 * count * count, budget.testsLeft);
     const auto cut = [&](std::uint32_t corner) {
       triangles.push_back({previous_[corner], corner, next_[corner]});
       next_[previous_[corner]] = next_[corner];
@@ -122,6 +121,7 @@ class EarClipping {
       }
     }
     triangles.push_back({previous_[current], current, next_[current]});
+    budget.testsLeft -= std::min(budget.testsLeft, tests_);
     return tests_ <= allowed;
   }
 
@@ -174,14 +174,15 @@ class EarClipping {
 
 }  // namespace
 
-bool triangulate(std::span<const Vec3d> corners, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+bool triangulate(std::span<const Vec3d> corners, std::vector<std::array<std::uint32_t, 3>>& triangles,
+                 TriangulationBudget& budget) {
   const auto count = static_cast<std::uint32_t>(corners.size());
   if (count == 3) {
     triangles.push_back({0, 1, 2});
     return true;
   }
   const std::vector<Point> points = project(corners);
-  if (!isStrictlyConvex(points)) return EarClipping(points).run(triangles);
+  if (!isStrictlyConvex(points)) return EarClipping(points).run(triangles, budget);
   if (count == 4) {
     // The shorter diagonal makes the better triangles.
     const Vec3d even = corners[2] - corners[0], odd = corners[3] - corners[1];

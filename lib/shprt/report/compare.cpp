@@ -23,7 +23,7 @@ class Tally {
 
   void add(double a, double b) {
     ++differences_.compared;
-    referenceSquares_ += a * a;
+    referenceSquares_ += static_cast<long double>(a) * a;
     const double error = errorBetween(a, b);
     if (error == 0) return;
     const double allowed = tolerance_.absolute + tolerance_.relative * std::max(std::abs(a), std::abs(b));
@@ -31,22 +31,27 @@ class Tally {
     if (!std::isfinite(error) || error > allowed) ++differences_.beyond;
     if (!(error <= differences_.maximumError) && !std::isnan(differences_.maximumError))
       differences_.maximumError = error;
-    squares_ += error * error;
+    squares_ += static_cast<long double>(error) * error;
   }
 
   Differences result() const {
     Differences result = differences_;
     if (result.compared > 0) {
-      result.rmsError = std::sqrt(squares_ / static_cast<double>(result.compared));
-      result.rmsReference = std::sqrt(referenceSquares_ / static_cast<double>(result.compared));
+      result.rmsError = rootOfMean(squares_);
+      result.rmsReference = rootOfMean(referenceSquares_);
     }
     return result;
   }
 
  private:
+  double rootOfMean(long double squares) const {
+    return static_cast<double>(std::sqrt(squares / static_cast<long double>(differences_.compared)));
+  }
+
   Tolerance tolerance_;
   Differences differences_;
-  double squares_ = 0, referenceSquares_ = 0;
+  // The squares of large doubles are beyond double.
+  long double squares_ = 0, referenceSquares_ = 0;
 };
 
 void compareGeometry(Comparison& comparison, const char* name, std::size_t count, const Tolerance& tolerance,
