@@ -18,6 +18,9 @@ refused 1 project-probe $in/probe.pfm -o missing-folder/out.json && says missing
 refused 1 project-probe $in/probe.pfm -o $in/full.json && says full.json
 refused 1 project-probe $in/probe.pfm -o $in/folder && says folder
 refused 2 project-probe $in/probe.pfm -o out.json --degree 33 && says 'from 0 to 32'
+refused 2 project-probe $in/front.json -o out.json --degree 1001 && says 'from 0 to 1000'
+refused 1 project-probe $in/image_list.json -o out.json --degree 33 && says 'lights[0].file'
+refused 1 project-probe $in/front.json -o out.json --degree 33 --window auto && says 'degree 32 or less'
 refused 2 project-probe $in/probe.pfm -o out.json --window triangle && says --window
 refused 2 project-probe $in/probe.pfm -o out.json --layout sphere && says --layout
 refused 2 project-probe $in/front.json -o out.json --layout latlong && says --layout
@@ -33,7 +36,12 @@ refused 1 convert $in/broken.json -o out.json && says broken.json
 refused 1 convert $in/newer.json -o out.json && says newer.json
 refused 1 convert $in/probe.pfm -o out.json && says project-probe
 refused 1 convert $l -o missing-folder/out.json && says missing-folder
-refused 2 convert $l -o out.json --degree 40 && says 'from 0 to 32'
+refused 2 convert $l -o out.json --degree 1001 && says 'from 0 to 1000'
+refused 2 convert $l -o out.json --convention godot && says 'three.js, unity, unreal'
+refused 1 convert $in/unknown_convention.json -o out.json && says 'convention is wrong'
+refused 1 convert $in/short_convention.json -o out.json && says 'has 1 entries where degree 2'
+refused 1 relight $a $in/unity.json -o out.csv --quiet && says 'shprt convert unity.json'
+refused 1 info $in/unity.json && says 'shprt convert unity.json'
 refused 2 convert $l -o out.json --rotate axis:0,0,0,1 && says --rotate
 refused 2 diff $a missing.prt.exr && says missing.prt.exr
 refused 2 diff $a $in/truncated.prt.exr && says truncated.prt.exr

@@ -3,34 +3,14 @@
 # Usage: main_job_test.sh SHPRT WORK_DIR
 set -euo pipefail
 shprt=$1 work=$2
-source "$(dirname "${BASH_SOURCE[0]}")/inputs.sh"
-rm -rf "$work"
-make_inputs "$work"
-cd "$work"
+source "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 
-failures=0
-fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
-# check NAME COMMAND...: the command must succeed.
-check() {
-  local name=$1
-  shift
-  "$@" || fail "$name"
-}
-# exits CODE COMMAND...: the command must end with that code.
-exits() {
-  local expected=$1 code=0
-  shift
-  "$@" >/dev/null 2>&1 || code=$?
-  [ $code -eq "$expected" ] || fail "exit code $code, not $expected: $*"
-}
 # near FILE VALUE TOLERANCE: columns r, g, b of every CSV row.
 near() {
   awk -F, -v want="$2" -v tolerance="$3" '
     NR > 1 { for (i = 7; i <= 9; ++i) if ($i - want > tolerance || want - $i > tolerance) bad = 1 }
     END { exit bad || NR < 2 }' "$1"
 }
-run() { "$shprt" "$@"; }
-quiet() { "$shprt" "$@" --quiet; }
 
 # --- bake -----------------------------------------------------------------------------------------------------------
 quiet bake cube.obj -o cube.prt.exr --albedo 1 --json cube_bake.json
@@ -182,7 +162,4 @@ check "diff writes JSON" grep -q '{' difference.json
 run diff corner.prt.exr corner2.prt.exr --json - >diff_stdout.json 2>/dev/null
 check "JSON alone on standard output" test "$(head -c 1 diff_stdout.json)" = '{'
 
-# --- nothing but results is left ------------------------------------------------------------------------------------
-check "no temporary files" test -z "$(find . -name '.*' -type f)"
-[ $failures -eq 0 ] || { echo "$failures checks failed"; exit 1; }
-echo "all checks passed"
+finish

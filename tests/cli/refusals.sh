@@ -22,6 +22,10 @@ printf '{"format":"shprt-light","version":1,' >broken.json
 printf '{"format":"shprt-light","version":99,"degree":0,"coefficients":[[1,1,1]]}' >newer.json
 printf '{"lights":[{"type":"laser"}]}' >unknown_light.json
 printf '{"something":"else"}' >neither.json
+printf '{"lights":[{"type":"probe","file":"probe.pfm"}]}' >image_list.json
+printf '{"format":"shprt-convention","version":1,"convention":"godot","degree":2,"coefficients":[]}' >unknown_convention.json
+printf '{"format":"shprt-convention","version":1,"convention":"unity","degree":2,"coefficients":[[1,1,1]]}' >short_convention.json
+"$shprt" convert light.json -o unity.json --convention unity --quiet 2>/dev/null
 printf 'matrix:1,0,0,0,1,0,0,0,-1' >mirror.txt
 ln -s /dev/full full.prt.exr
 for suffix in csv json png ply; do ln -s /dev/full "full.$suffix"; done

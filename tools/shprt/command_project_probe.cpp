@@ -14,6 +14,7 @@
 #include "output.h"
 #include "shprt/base/error.h"
 #include "shprt/light/window.h"
+#include "shprt/sh/basis.h"
 
 namespace shprt {
 namespace {
@@ -46,8 +47,16 @@ Json makingOf(const ProbeOptions& options, const LoadedLight& loaded, const Wind
   if (options.exposure) making["exposure"] = *options.exposure;
   making["window"] = windowed.name;
   making["windowStrength"] = windowed.strength;
-  making["minimumIrradiance"] = windowed.minimumIrradiance;
+  if (windowed.minimumIrradiance) making["minimumIrradiance"] = *windowed.minimumIrradiance;
+  if (windowed.minimumRadiance) making["minimumRadiance"] = *windowed.minimumRadiance;
   return making;
+}
+
+// One of the least values of a WindowResult, and the window that would lift it to zero.
+void printLeast(const Console& console, const char* label, std::optional<double> least, const char* window) {
+  if (!least) return;
+  console.field(label, fmt::format("{:>10.3g} of the average{}", *least,
+                                   *least < 0 ? fmt::format("; --window {} mends that", window) : ""));
 }
 
 void printResult(const Console& console, const ProbeOptions& options, const LoadedLight& loaded,
@@ -70,9 +79,8 @@ void printResult(const Console& console, const ProbeOptions& options, const Load
     console.field("energy missed", fmt::format("{:>9.2f}% {:>9.2f}% {:>9.2f}%", 100 * missed[0],
                                                100 * missed[1], 100 * missed[2]));
   }
-  console.field("least irradiance",
-                fmt::format("{:>10.3g} of the average{}", windowed.minimumIrradiance,
-                            windowed.minimumIrradiance < 0 ? "; --window auto mends that" : ""));
+  printLeast(console, "least irradiance", windowed.minimumIrradiance, "auto");
+  printLeast(console, "least radiance", windowed.minimumRadiance, "auto-radiance");
 }
 
 int runProjectProbe(const ProbeOptions& options) {
@@ -122,10 +130,12 @@ void addProjectProbeCommand(CLI::App& app, Command& chosen) {
                  "Light file to write, - for standard output; without it, figures are only printed")
       ->type_name("OUT");
   addLayout(sub, options->light.layout);
-  addDegree(sub, options->light.degree);
+  addInteger(sub, "--degree", options->light.degree, 0, kMaximumLightDegree,
+             fmt::format("Highest spherical-harmonic band; of images at most {}", kMaximumBakeDegree));
   addParsed(
       sub, "--window", "NAME", [options](const std::string& text) { options->window = parseWindow(text); },
-      "Against ringing: none | hann | lanczos | auto (the least that keeps the irradiance non-negative)")
+      "Against ringing: none | hann | lanczos | gaussian | auto (the least that keeps the irradiance "
+      "non-negative) | auto-radiance (the same for the radiance)")
       ->default_str("none");
   addRotation(sub, options->rotation);
   addExposure(sub, options->exposure, "Multiply the light by 2^EV");
@@ -137,6 +147,7 @@ void addProjectProbeCommand(CLI::App& app, Command& chosen) {
       "Examples:\n"
       "  shprt project-probe sky.hdr\n"
       "  shprt project-probe sky.hdr -o sky.json --degree 8 --window auto\n"
+      "  shprt project-probe sun.json -o sun_sh.json --degree 1000\n"
       "  shprt project-probe ball.hdr --layout mirrored-ball --rotate axis:0,1,0,90 -o turned.json");
   sub.callback([options, &chosen] { chosen = [options] { return runProjectProbe(*options); }; });
 }

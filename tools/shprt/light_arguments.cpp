@@ -1,5 +1,7 @@
 #include "light_arguments.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 #include "commands.h"
@@ -8,6 +10,7 @@
 #include "shprt/base/error.h"
 #include "shprt/coefficients/asset_file.h"
 #include "shprt/light/light_list.h"
+#include "shprt/sh/basis.h"
 
 namespace shprt {
 namespace {
@@ -26,6 +29,12 @@ std::vector<std::string> mendingNotes(const ProbeProjection& projection, bool cl
 }
 
 LoadedLight loadImageLight(const std::string& path, const LightOptions& options) {
+  if (options.degree > kMaximumBakeDegree) {
+    throw UsageError(
+        fmt::format("--degree: {} is not from 0 to {}, and {} is an image; lists of directional and "
+                    "constant lights go to {}",
+                    options.degree, kMaximumBakeDegree, path, kMaximumLightDegree));
+  }
   LoadedLight loaded;
   loaded.map = loadEnvironment(path, options.layout);
   loaded.projection = projectProbe(

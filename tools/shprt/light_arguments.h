@@ -14,6 +14,9 @@
 
 namespace shprt {
 
+// Of lights that formulas give; images stop at kMaximumBakeDegree.
+inline constexpr int kMaximumLightDegree = 1000;
+
 struct LightOptions {
   int degree = 4;                           // of lists and images; a light file keeps its own
   std::optional<EnvironmentLayout> layout;  // of images; empty means automatic
@@ -29,7 +32,7 @@ struct LoadedLight {
   std::vector<std::filesystem::path> sources;  // every file that was read
 };
 
-// Throws Error. --layout with anything but an image is a UsageError.
+// Throws Error. --layout with anything but an image is a UsageError, and so is an image of too high a degree.
 LoadedLight loadLight(const std::string& path, const LightOptions& options);
 
 // --layout

@@ -13,7 +13,8 @@ namespace shprt {
 // "0.123 0.456 0.789"
 std::string formatTriple(const std::array<double, 3>& values);
 
-// Average radiance, dominant direction, directionality and energy per band.
+// Average radiance, dominant direction, directionality, dominant light with its ambient rest, and energy per
+// band.
 void printLight(const Console& console, const LightCoefficients& light);
 Json lightStatisticsJson(const LightCoefficients& light);
 

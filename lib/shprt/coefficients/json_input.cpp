@@ -90,8 +90,7 @@ const nlohmann::json& JsonObject::list(std::string_view name) const {
   return value;
 }
 
-std::array<double, 3> JsonObject::triple(std::string_view name) const {
-  const nlohmann::json& value = field(name);
+std::array<double, 3> JsonObject::tripleOf(const std::string& name, const nlohmann::json& value) const {
   if (!value.is_array() || value.size() != 3) fail(name, "does not have three numbers", "write [a, b, c]");
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -100,6 +99,19 @@ std::array<double, 3> JsonObject::triple(std::string_view name) const {
     numbers[i] = value[i].get<double>();
   }
   return numbers;
+}
+
+std::array<double, 3> JsonObject::triple(std::string_view name) const {
+  return tripleOf(std::string(name), field(name));
+}
+
+std::vector<std::array<double, 3>> JsonObject::triples(std::string_view name) const {
+  const nlohmann::json& values = list(name);
+  std::vector<std::array<double, 3>> triples;
+  triples.reserve(values.size());
+  for (const nlohmann::json& value : values)
+    triples.push_back(tripleOf(std::string(name) + "[" + std::to_string(triples.size()) + "]", value));
+  return triples;
 }
 
 JsonObject JsonObject::object(std::string_view name) const {

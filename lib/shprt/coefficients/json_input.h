@@ -33,6 +33,7 @@ class JsonObject {
   std::uint64_t natural(std::string_view name) const;       // the whole range of 64 bits
   const nlohmann::json& list(std::string_view name) const;  // an array, of any content
   std::array<double, 3> triple(std::string_view name) const;
+  std::vector<std::array<double, 3>> triples(std::string_view name) const;
   JsonObject object(std::string_view name) const;
 
   std::vector<std::string> names() const;
@@ -43,6 +44,8 @@ class JsonObject {
                          const std::string& remedy = "") const;
 
  private:
+  std::array<double, 3> tripleOf(const std::string& name, const nlohmann::json& value) const;
+
   std::string file_, place_;
   const nlohmann::json& value_;
 };

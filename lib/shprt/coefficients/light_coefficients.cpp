@@ -68,6 +68,9 @@ bool isLightFile(const std::filesystem::path& path) {
 LightCoefficients readLight(const std::filesystem::path& path) {
   const nlohmann::json content = readJsonObject(path);
   const JsonObject file(path.string(), "", content);
+  if (file.text("format") == "shprt-convention")
+    file.fail("format", "is 'shprt-convention', a light as another tool writes it",
+              "bring it back first: shprt convert " + path.filename().string() + " -o light.json");
   if (file.text("format") != "shprt-light")
     file.fail("format", "is not 'shprt-light'", "give a light file of shprt");
   const std::int64_t version = file.integer("version");
@@ -82,24 +85,13 @@ LightCoefficients readLight(const std::filesystem::path& path) {
   if (degree < 0 || degree > kMaximumFileDegree)
     file.fail("degree", "is outside 0 to " + std::to_string(kMaximumFileDegree));
   light.degree = static_cast<int>(degree);
-  const nlohmann::json& coefficients = file.field("coefficients");
-  const auto expected = static_cast<std::size_t>(coefficientCount(light.degree));
-  if (!coefficients.is_array() || coefficients.size() != expected) {
-    file.fail("coefficients", "has " + std::to_string(coefficients.size()) + " entries where degree " +
+  const std::size_t count = file.list("coefficients").size(),
+                    expected = static_cast<std::size_t>(coefficientCount(light.degree));
+  if (count != expected) {
+    file.fail("coefficients", "has " + std::to_string(count) + " entries where degree " +
                                   std::to_string(degree) + " needs " + std::to_string(expected));
   }
-  light.coefficients.reserve(expected);
-  for (const nlohmann::json& entry : coefficients) {
-    const std::string name = "coefficients[" + std::to_string(light.coefficients.size()) + "]";
-    if (!entry.is_array() || entry.size() != 3) file.fail(name, "does not have three numbers");
-    std::array<double, 3> rgb{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!entry[i].is_number() || !std::isfinite(entry[i].get<double>()))
-        file.fail(name, "has an entry that is no finite number");
-      rgb[i] = entry[i].get<double>();
-    }
-    light.coefficients.push_back(rgb);
-  }
+  light.coefficients = file.triples("coefficients");
   if (file.has("source")) light.source = file.text("source");
   if (file.has("statistics")) {
     file.object("statistics");

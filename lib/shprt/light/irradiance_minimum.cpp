@@ -1,8 +1,8 @@
-// The irradiance is the light convolved with the clamped cosine. It is looked at on a grid of spacing
-// pi / (6 (degree + 2)), so at most 0.37 / degree from anywhere, and followed downhill from the local minima
-// there. What differs from the average bends by at most degree^2 times its largest value (Bernstein), so the
-// least value lies at most 0.07 of that below the grid point beside it, and only minima that can reach below
-// the lowest one known are followed.
+// The irradiance is the light convolved with the clamped cosine. It, or the radiance itself, is looked at on
+// a grid of spacing pi / (6 (degree + 2)), so at most 0.37 / degree from anywhere, and followed downhill from
+// the local minima there. What differs from the average bends by at most degree^2 times its largest value
+// (Bernstein), so the least value lies at most 0.07 of that below the grid point beside it, and only minima
+// that can reach below the lowest one known are followed.
 
 #include "shprt/light/irradiance_minimum.h"
 
@@ -35,10 +35,8 @@ class GriddedFunction {
         columns_(2 * rows_),
         coefficients_(std::move(coefficients)),
         values_(static_cast<std::size_t>(rows_ + 1) * static_cast<std::size_t>(columns_)) {
-    parallelForBlocks(values_.size(), 256, [&](std::size_t begin, std::size_t end) {
-      std::vector<double> basis(coefficients_.size());
-      for (std::size_t point = begin; point < end; ++point)
-        values_[point] = evaluate(directionAt(point), basis);
+    parallelForBlocks(static_cast<std::size_t>(rows_) + 1, 4, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row) fillRow(static_cast<int>(row));
     });
   }
 
@@ -63,6 +61,31 @@ class GriddedFunction {
     const double theta = pi * static_cast<double>(point / columns) / rows_,
                  phi = 2 * pi * static_cast<double>(point % columns) / columns_;
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+  }
+
+  // Around a circle of latitude the function is a trigonometric polynomial of its degree; its coefficients
+  // are sums over l of harmonics at azimuth 0, where those of m < 0 vanish and lend their place.
+  void fillRow(int row) {
+    std::vector<double> basis(coefficients_.size());
+    evaluateSh(degree_, directionAt(indexOf(row, 0)), basis);
+    std::vector<double> cosines(static_cast<std::size_t>(degree_) + 1), sines(cosines.size());
+    for (int l = 0; l <= degree_; ++l)
+      for (int m = 0; m <= l; ++m) {
+        const double y = basis[static_cast<std::size_t>(shIndex(l, m))];
+        cosines[static_cast<std::size_t>(m)] += coefficients_[static_cast<std::size_t>(shIndex(l, m))] * y;
+        sines[static_cast<std::size_t>(m)] += coefficients_[static_cast<std::size_t>(shIndex(l, -m))] * y;
+      }
+    for (int column = 0; column < columns_; ++column) {
+      const double phi = 2 * pi * column / columns_, c = std::cos(phi), s = std::sin(phi);
+      double sum = cosines[0], re = 1, im = 0;
+      for (std::size_t m = 1; m < cosines.size(); ++m) {
+        const double next = re * c - im * s;
+        im = re * s + im * c;
+        re = next;
+        sum += cosines[m] * re + sines[m] * im;
+      }
+      values_[indexOf(row, column)] = sum;
+    }
   }
 
   double evaluate(Vec3d direction, std::vector<double>& basis) const {
@@ -120,10 +143,9 @@ class GriddedFunction {
   std::vector<double> coefficients_, values_;
 };
 
-}  // namespace
-
-double leastRelativeIrradiance(const LightCoefficients& light) {
-  const std::vector<double> cosine = clampedCosineFactors(light.degree);
+// Least over directions and colours of the light with band l multiplied by factors[l] / factors[0], relative
+// to each colour's average.
+double leastRelativeValue(const LightCoefficients& light, const std::vector<double>& factors) {
   double least = 1;  // the average
   for (std::size_t colour = 0; colour < 3; ++colour) {
     const double average = light.coefficients[0][colour];
@@ -131,11 +153,21 @@ double leastRelativeIrradiance(const LightCoefficients& light) {
     std::vector<double> relative;
     for (int l = 0; l <= light.degree; ++l)
       for (int i = shIndex(l, -l); i <= shIndex(l, l); ++i)
-        relative.push_back(cosine[static_cast<std::size_t>(l)] / cosine[0] * std::sqrt(4 * pi) *
+        relative.push_back(factors[static_cast<std::size_t>(l)] / factors[0] * std::sqrt(4 * pi) *
                            (light.coefficients[static_cast<std::size_t>(i)][colour] / average));
     least = std::min(least, GriddedFunction(light.degree, std::move(relative)).minimum());
   }
   return least;
+}
+
+}  // namespace
+
+double leastRelativeIrradiance(const LightCoefficients& light) {
+  return leastRelativeValue(light, clampedCosineFactors(light.degree));
+}
+
+double leastRelativeRadiance(const LightCoefficients& light) {
+  return leastRelativeValue(light, std::vector<double>(static_cast<std::size_t>(light.degree) + 1, 1.0));
 }
 
 }  // namespace shprt

@@ -12,6 +12,7 @@
 #include "shprt/coefficients/json_input.h"
 #include "shprt/image/environment.h"
 #include "shprt/light/project_probe.h"
+#include "shprt/sh/basis.h"
 #include "shprt/sh/rotation.h"
 
 namespace shprt {
@@ -74,8 +75,12 @@ LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesyst
   std::optional<EnvironmentLayout> layout;
   if (entry.has("layout") && entry.text("layout") != "auto")
     layout = blame(entry, "layout", [&] { return parseLayout(entry.text("layout")); });
+  const bool isImage = !isLightFile(file);
+  if (isImage && degree > kMaximumBakeDegree)
+    entry.fail("file", "names an image, and the degree asked for is " + std::to_string(degree),
+               "images are projected to degree " + std::to_string(kMaximumBakeDegree) + " at most");
   LightCoefficients light = blame(entry, "file", [&] {
-    if (!isLightFile(file)) return projectImage(file, layout, degree, strict, list);
+    if (isImage) return projectImage(file, layout, degree, strict, list);
     list.sources.push_back(file);
     return readLight(file);
   });
