@@ -3,7 +3,7 @@
 packages=(build-essential cmake ninja-build pkg-config
   libembree-dev libopenmesh-dev libopenimageio-dev openimageio-tools libopenexr-dev libimath-dev
   libcli11-dev nlohmann-json3-dev libtbb-dev libspdlog-dev libfmt-dev libssl-dev)
-test_packages=(libgtest-dev libbenchmark-dev python3 python3-openimageio python3-numpy)
+test_packages=(glslang-tools libgtest-dev libbenchmark-dev python3 python3-openimageio python3-numpy)
 
 # ensure_packages NAME...: installs those that are missing, after saying so. Needs root only when something is missing.
 ensure_packages() {

@@ -6,6 +6,7 @@ cmake_minimum_required(VERSION 3.22)
 
 set(base_may "")
 set(sh_may "")
+set(codegen_may sh)
 set(sampling_may "")
 set(image_may "")
 set(mesh_may "")
@@ -16,7 +17,7 @@ set(light_may image sampling sh coefficients)
 set(relight_may coefficients light sh)
 set(picture_may scene mesh image coefficients relight)
 set(report_may image sh coefficients transfer light relight)
-set(tools_may base sh sampling image mesh scene coefficients transfer light relight picture report)
+set(tools_may base sh codegen sampling image mesh scene coefficients transfer light relight picture report)
 
 # third-party prefix -> the files that may include it
 set(doors

@@ -14,6 +14,7 @@ void addBakeCommand(CLI::App& app, Command& chosen);
 void addProjectProbeCommand(CLI::App& app, Command& chosen);
 void addRelightCommand(CLI::App& app, Command& chosen);
 void addConvertCommand(CLI::App& app, Command& chosen);
+void addCodegenCommand(CLI::App& app, Command& chosen);
 void addDiffCommand(CLI::App& app, Command& chosen);
 void addInfoCommand(CLI::App& app, Command& chosen);
 

@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   shprt::addProjectProbeCommand(app, chosen);
   shprt::addRelightCommand(app, chosen);
   shprt::addConvertCommand(app, chosen);
+  shprt::addCodegenCommand(app, chosen);
   shprt::addDiffCommand(app, chosen);
   shprt::addInfoCommand(app, chosen);
   shprt::handleInterrupts();
