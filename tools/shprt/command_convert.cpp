@@ -21,7 +21,7 @@ namespace {
 
 struct ConvertOptions {
   std::string input, output;
-  std::optional<Mat3> rotation;
+  std::optional<RotationArgument> rotation;
   std::optional<int> degree;
   std::optional<Convention> convention;
   CommonOptions common;
@@ -61,19 +61,20 @@ LightCoefficients fitToConvention(const Console& console, const LightCoefficient
 
 int runConvert(const ConvertOptions& options) {
   const Console console = makeConsole(options.common, options.output);
-  const std::vector<std::string> inputs = {options.input};
+  std::vector<std::string> inputs = {options.input};
+  if (options.rotation) inputs.push_back(options.rotation->file);
   checkOutput(options.output, inputs);
   checkOutput(options.common.jsonFile, inputs);
   checkDistinct(options.output, options.common);
   const LightCoefficients original = loadConvertible(options.input);
   LightCoefficients light = original;
   if (options.degree) light = withDegree(light, *options.degree);
-  if (options.rotation) light = rotateLight(light, *options.rotation);
+  if (options.rotation) light = rotateLight(light, options.rotation->matrix);
   Json conversion = Json::object();
   if (options.convention)
     light = fitToConvention(console, light, conventionFacts(*options.convention), conversion);
   Json figures = lightStatisticsJson(light);
-  if (options.rotation) figures["rotation"] = options.rotation->m;
+  if (options.rotation) figures["rotation"] = options.rotation->matrix.m;
   // What the maker measured of the light holds no longer once it is turned or cut.
   if (options.rotation || light.degree != original.degree || light.statisticsJson.empty())
     light.statisticsJson = figures.dump();

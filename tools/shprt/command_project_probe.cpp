@@ -15,6 +15,7 @@
 #include "shprt/base/error.h"
 #include "shprt/light/window.h"
 #include "shprt/sh/basis.h"
+#include "window_option.h"
 
 namespace shprt {
 namespace {
@@ -23,7 +24,7 @@ struct ProbeOptions {
   std::string input, output;
   LightOptions light;
   Window window = Window::kNone;
-  std::optional<Mat3> rotation;
+  std::optional<RotationArgument> rotation;
   std::optional<double> exposure;
   CommonOptions common;
 };
@@ -43,7 +44,7 @@ Json makingOf(const ProbeOptions& options, const LoadedLight& loaded, const Wind
     making["solidAngle"] = projection.solidAngle;
     making["energyMissed"] = projection.energyMissed;
   }
-  if (options.rotation) making["rotation"] = options.rotation->m;
+  if (options.rotation) making["rotation"] = options.rotation->matrix.m;
   if (options.exposure) making["exposure"] = *options.exposure;
   making["window"] = windowed.name;
   making["windowStrength"] = windowed.strength;
@@ -76,8 +77,10 @@ void printResult(const Console& console, const ProbeOptions& options, const Load
   printLight(console, windowed.light);
   if (loaded.projection) {
     const std::array<double, 3>& missed = loaded.projection->energyMissed;
-    console.field("energy missed", fmt::format("{:>9.2f}% {:>9.2f}% {:>9.2f}%", 100 * missed[0],
-                                               100 * missed[1], 100 * missed[2]));
+    console.field(
+        "energy missed",
+        fmt::format("{:>9.2f}% {:>9.2f}% {:>9.2f}%  in higher bands, which diffuse shading hardly sees",
+                    100 * missed[0], 100 * missed[1], 100 * missed[2]));
   }
   printLeast(console, "least irradiance", windowed.minimumIrradiance, "auto");
   printLeast(console, "least radiance", windowed.minimumRadiance, "auto-radiance");
@@ -86,18 +89,20 @@ void printResult(const Console& console, const ProbeOptions& options, const Load
 int runProjectProbe(const ProbeOptions& options) {
   const Console console = makeConsole(options.common, options.output);
   checkInput(options.input);
-  const std::vector<std::string> inputs = {options.input};
+  std::vector<std::string> inputs = {options.input};
+  if (options.rotation) inputs.push_back(options.rotation->file);
   checkOutput(options.output, inputs);
   checkOutput(options.common.jsonFile, inputs);
   checkDistinct(options.output, options.common);
-  if (isLightFile(options.input)) {
+  if (fileKind(options.input) == FileKind::kLight) {
+    readLight(options.input);  // says what is wrong with it, if anything is
     throw Error(options.input, "is a light file already", "turn or cut it with shprt convert");
   }
   const LoadedLight loaded = loadLight(options.input, options.light);
   checkNotInput(options.output, loaded.sources);
   checkNotInput(options.common.jsonFile, loaded.sources);
   LightCoefficients light = loaded.light;
-  if (options.rotation) light = rotateLight(light, *options.rotation);
+  if (options.rotation) light = rotateLight(light, options.rotation->matrix);
   if (options.exposure) light = scaleLight(light, std::exp2(*options.exposure));
   WindowResult windowed = applyWindow(light, options.window);
 
@@ -132,11 +137,7 @@ void addProjectProbeCommand(CLI::App& app, Command& chosen) {
   addLayout(sub, options->light.layout);
   addInteger(sub, "--degree", options->light.degree, 0, kMaximumLightDegree,
              fmt::format("Highest spherical-harmonic band; of images at most {}", kMaximumBakeDegree));
-  addParsed(
-      sub, "--window", "NAME", [options](const std::string& text) { options->window = parseWindow(text); },
-      "Against ringing: none | hann | lanczos | gaussian | auto (the least that keeps the irradiance "
-      "non-negative) | auto-radiance (the same for the radiance)")
-      ->default_str("none");
+  addWindow(sub, options->window);
   addRotation(sub, options->rotation);
   addExposure(sub, options->exposure, "Multiply the light by 2^EV");
   sub.add_flag("--clamp-negative", options->light.clampNegative,

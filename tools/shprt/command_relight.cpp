@@ -136,6 +136,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   if (isPicture(format)) chooseCamera(options, std::vector<Vec3f>{{-1, -1, -1}, {1, 1, 1}});
   std::vector<std::string> inputs = options.lights;
   inputs.push_back(options.asset);
+  if (options.rotation) inputs.push_back(options.rotation->file);
   const int frames = frameCount(options);
   for (int frame = 0; frame < frames; ++frame) checkOutput(frameFile(options, frame), inputs);
   checkInput(options.asset);

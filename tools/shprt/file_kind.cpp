@@ -1,16 +1,13 @@
 #include "file_kind.h"
 
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 
 #include "output.h"
 #include "shprt/base/error.h"
 #include "shprt/base/exr_header.h"
-#include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
-#include "shprt/coefficients/light_coefficients.h"
-#include "shprt/light/light_list.h"
+#include "shprt/coefficients/json_input.h"
 
 namespace shprt {
 namespace {
@@ -26,13 +23,6 @@ bool isNamedAsset(const std::string& path) {
 }
 
 }  // namespace
-
-bool looksLikeJson(const std::string& path) {
-  for (const char c : readFirstBytes(path, 64)) {
-    if (!std::isspace(static_cast<unsigned char>(c))) return c == '{';
-  }
-  return false;
-}
 
 void checkInput(const std::string& path) {
   namespace fs = std::filesystem;
@@ -50,10 +40,9 @@ void checkInput(const std::string& path) {
 FileKind fileKind(const std::string& path) {
   checkInput(path);
   if (isAssetFile(path) || isNamedAsset(path)) return FileKind::kAsset;
-  if (isLightFile(path)) return FileKind::kLight;
-  if (isLightList(path)) return FileKind::kLightList;
-  if (hasMeshSuffix(path)) return FileKind::kMesh;
-  return looksLikeJson(path) ? FileKind::kLight : FileKind::kImage;
+  const JsonOutline json = outlineJson(path);
+  if (json.object) return json.hasLights ? FileKind::kLightList : FileKind::kLight;
+  return hasMeshSuffix(path) ? FileKind::kMesh : FileKind::kImage;
 }
 
 const char* kindName(FileKind kind) {

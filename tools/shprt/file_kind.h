@@ -18,7 +18,4 @@ FileKind fileKind(const std::string& path);
 // "an asset", "a light file", "a list of lights", "a mesh", "an image".
 const char* kindName(FileKind kind);
 
-// Whether the file begins like a JSON object: a light file or list of lights, whole or broken.
-bool looksLikeJson(const std::string& path);
-
 }  // namespace shprt

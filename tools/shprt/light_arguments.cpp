@@ -8,7 +8,6 @@
 #include "console.h"
 #include "file_kind.h"
 #include "shprt/base/error.h"
-#include "shprt/coefficients/asset_file.h"
 #include "shprt/light/light_list.h"
 #include "shprt/sh/basis.h"
 
@@ -53,24 +52,20 @@ LoadedLight loadImageLight(const std::string& path, const LightOptions& options)
 }  // namespace
 
 LoadedLight loadLight(const std::string& path, const LightOptions& options) {
-  checkInput(path);
-  const bool lightFile = isLightFile(path), lightList = isLightList(path);
-  if (options.layout && (lightFile || lightList)) throw UsageError("--layout: " + path + " is no image");
+  const FileKind kind = fileKind(path);
+  if (kind == FileKind::kImage) return loadImageLight(path, options);
+  if (options.layout) throw UsageError("--layout: " + path + " is no image");
   LoadedLight loaded;
-  if (lightFile) {
+  if (kind == FileKind::kLight) {
     loaded.light = readLight(path);
-  } else if (lightList) {
+  } else if (kind == FileKind::kLightList) {
     ProjectedList list = projectLightList(path, options.degree, options.strict);
     loaded.light = std::move(list.light);
     loaded.notes = std::move(list.notes);
     loaded.sources = std::move(list.sources);
-  } else if (looksLikeJson(path)) {
-    // Says what is wrong with the JSON, or with its "format".
-    loaded.light = readLight(path);
-  } else if (isAssetFile(path)) {
-    throw Error(path, "is a baked asset, not a light", "give a light file, a list of lights or an image");
   } else {
-    loaded = loadImageLight(path, options);
+    throw Error(path, std::string("is ") + kindName(kind) + ", not a light",
+                "give a light file, a list of lights or an image");
   }
   return loaded;
 }
@@ -82,7 +77,7 @@ CLI::Option* addLayout(CLI::App& app, std::optional<EnvironmentLayout>& layout) 
   return addParsed(
              app, "--layout", "NAME", parse,
              "How an image covers the sphere: auto | latlong | angular | mirrored-ball | vertical-cross | "
-             "horizontal-cross | faces | strip")
+             "horizontal-cross | faces | strip | exr-cube")
       ->default_str("auto");
 }
 

@@ -39,8 +39,10 @@ std::string formatTriple(const std::array<double, 3>& values) {
 void printLight(const Console& console, const LightCoefficients& light) {
   const LightStatistics statistics = measureLight(light);
   const bool directed = statistics.dominantDirection != std::array<double, 3>{};
+  console.field("", "       red      green       blue");
   console.field("average radiance", formatTriple(statistics.averageRadiance));
-  console.field("dominant direction", directed ? formatTriple(statistics.dominantDirection) : "      none");
+  console.field("dominant direction",
+                directed ? formatTriple(statistics.dominantDirection) + "  (x, y, z)" : "      none");
   console.field("directionality", formatTriple(statistics.directionality));
   printDominantLight(console, dominantLight(light));
   const std::size_t listed = std::min(kListedBands, statistics.bandEnergy.size());

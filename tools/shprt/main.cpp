@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
       "  shprt bake bunny.obj -o bunny.prt.exr\n"
       "  shprt project-probe sky.hdr -o sky.json\n"
       "  shprt relight bunny.prt.exr sky.json -o bunny.png\n"
-      "Exit codes: 0 done, 1 bad data or a failed comparison, 2 bad usage.");
+      "Exit codes: 0 done, 1 bad data, 2 bad usage; of diff: 0 equal, 1 different, 2 not comparable.");
   shprt::Command chosen;
   shprt::addBakeCommand(app, chosen);
   shprt::addProjectProbeCommand(app, chosen);

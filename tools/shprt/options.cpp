@@ -156,12 +156,14 @@ CLI::Option* addParsed(CLI::App& app, const std::string& name, const std::string
   return addText(app, name, typeName, take, description);
 }
 
-CLI::Option* addRotation(CLI::App& app, std::optional<Mat3>& rotation) {
+CLI::Option* addRotation(CLI::App& app, std::optional<RotationArgument>& rotation) {
   // ShRotation judges whether it is a rotation at all, here and not after minutes of other work.
   const auto parse = [&rotation](const std::string& text) {
     const Mat3 matrix = parseRotation(text);
     static_cast<void>(ShRotation(0, matrix));
-    rotation = matrix;
+    const std::size_t mark = text.find_first_not_of(" \t");
+    const bool named = mark != std::string::npos && text[mark] == '@';
+    rotation = RotationArgument{matrix, named ? text.substr(mark + 1) : ""};
   };
   return addParsed(
       app, "--rotate", "SPEC", parse,

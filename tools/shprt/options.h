@@ -32,7 +32,11 @@ CLI::Option* addSize(CLI::App& app, const std::string& name, int& width, int& he
 CLI::Option* addParsed(CLI::App& app, const std::string& name, const std::string& typeName,
                        const std::function<void(const std::string&)>& parse, const std::string& description);
 
-CLI::Option* addRotation(CLI::App& app, std::optional<Mat3>& rotation);
+struct RotationArgument {
+  Mat3 matrix;
+  std::string file;  // that @FILE named; "" for none
+};
+CLI::Option* addRotation(CLI::App& app, std::optional<RotationArgument>& rotation);
 CLI::Option* addExposure(CLI::App& app, std::optional<double>& exposure, const std::string& description);
 CLI::Option* addDegree(CLI::App& app, int& degree);
 

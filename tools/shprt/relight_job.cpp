@@ -47,9 +47,10 @@ int frameCount(const RelightOptions& options) {
 }
 
 std::optional<Mat3> frameRotation(const RelightOptions& options, int frame) {
-  if (!options.turntable) return options.rotation;
+  const std::optional<Mat3> asked = options.rotation ? std::optional(options.rotation->matrix) : std::nullopt;
+  if (!options.turntable) return asked;
   const double degrees = 360.0 * frame / *options.turntable;
-  return parseRotation(fmt::format("axis:0,1,0,{}", degrees)) * options.rotation.value_or(Mat3{});
+  return parseRotation(fmt::format("axis:0,1,0,{}", degrees)) * asked.value_or(Mat3{});
 }
 
 std::string frameFile(const RelightOptions& options, int frame) {

@@ -20,7 +20,7 @@ struct RelightOptions {
   std::optional<RelightFormat> textFormat;  // csv or json, overrides the suffix of output
   LightOptions light;
   Window window = Window::kNone;
-  std::optional<Mat3> rotation;
+  std::optional<RotationArgument> rotation;
   std::optional<double> exposure;
   std::string camera;  // "" for the automatic one
   int width = 960, height = 720, samples = 16;

@@ -46,10 +46,7 @@ void checkTrace(const JsonObject& file, const Triples& triples) {
 }  // namespace
 
 bool isConventionFile(const std::filesystem::path& path) {
-  const std::string bytes = readFirstBytes(path, 4096);
-  const std::size_t brace = bytes.find_first_not_of(" \t\r\n");
-  return brace != std::string::npos && bytes[brace] == '{' &&
-         bytes.find("\"" + std::string(kFormat) + "\"") != std::string::npos;
+  return outlineJson(path).format == kFormat;
 }
 
 std::string formatConventionFile(const LightCoefficients& light, Convention convention) {

@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <exception>
 #include <stdexcept>
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 
 namespace shprt {
+namespace {
+
+constexpr std::uint64_t kMaximumJsonBytes = std::uint64_t{1} << 30;
+
+}  // namespace
 
 nlohmann::json parseJson(std::string_view text) {
   // Far deeper than any file means; what is deeper would overflow the stack where it is written again.
@@ -18,9 +25,40 @@ nlohmann::json parseJson(std::string_view text) {
   });
 }
 
+JsonOutline outlineJson(const std::filesystem::path& path) {
+  using Event = nlohmann::json::parse_event_t;
+  JsonOutline outline;
+  std::string head = readFirstBytes(path, std::size_t{1} << 16);
+  if (head.starts_with("\xef\xbb\xbf")) head.erase(0, 3);
+  const std::size_t first = head.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos || head[first] != '{') return outline;
+  outline.object = true;
+  std::string key;
+  struct Enough {};
+  try {
+    [[maybe_unused]] const nlohmann::json topLevel = nlohmann::json::parse(
+        readFile(path, kMaximumJsonBytes), [&](int depth, Event event, nlohmann::json& parsed) {
+          if (depth != 1) return depth < 1;
+          if (event == Event::key) key = parsed.get<std::string>();
+          if (event == Event::value && key == "format" && parsed.is_string()) {
+            outline.format = parsed.get<std::string>();
+            throw Enough{};
+          }
+          if (event == Event::array_start && key == "lights") {
+            outline.hasLights = true;
+            throw Enough{};
+          }
+          return true;
+        });
+  } catch (const Enough&) {
+  } catch (const std::exception&) {
+    // Whoever reads the file in earnest says what is wrong with it.
+  }
+  return outline;
+}
+
 nlohmann::json readJsonObject(const std::filesystem::path& path) {
-  constexpr std::uint64_t kMaximumBytes = std::uint64_t{1} << 30;
-  const std::string bytes = readFile(path, kMaximumBytes);
+  const std::string bytes = readFile(path, kMaximumJsonBytes);
   nlohmann::json value;
   try {
     value = parseJson(bytes);

@@ -16,6 +16,16 @@ namespace shprt {
 // JSON nested at most 100 deep. Throws what nlohmann-json throws, and std::length_error.
 nlohmann::json parseJson(std::string_view text);
 
+// What a file is, as far as its top level tells.
+struct JsonOutline {
+  bool object = false;     // begins like a JSON object
+  std::string format;      // its "format", where that is a text
+  bool hasLights = false;  // has a list "lights"
+};
+// Reads no further than it must. A file that is missing, no JSON, or damaged before anything was found has
+// the outline of nothing but `object`.
+JsonOutline outlineJson(const std::filesystem::path& path);
+
 // The object a file holds. Throws Error with line and column when it is no JSON, and when it is no object.
 nlohmann::json readJsonObject(const std::filesystem::path& path);
 

@@ -59,10 +59,7 @@ LightStatistics measureLight(const LightCoefficients& light) {
 }
 
 bool isLightFile(const std::filesystem::path& path) {
-  const std::string bytes = readFirstBytes(path, 4096);
-  const std::size_t brace = bytes.find_first_not_of(" \t\r\n");
-  return brace != std::string::npos && bytes[brace] == '{' &&
-         bytes.find("\"shprt-light\"") != std::string::npos;
+  return outlineJson(path).format == "shprt-light";
 }
 
 LightCoefficients readLight(const std::filesystem::path& path) {

@@ -70,12 +70,16 @@ LightCoefficients projectProbeEntry(const JsonObject& entry, const std::filesyst
   const double scale = entry.has("scale") ? entry.number("scale") : 1;
   if (scale < 0) entry.fail("scale", "is negative", "light cannot be negative");
   Mat3 rotation;
-  if (entry.has("rotate"))
-    rotation = blame(entry, "rotate", [&] { return parseRotation(entry.text("rotate")); });
+  if (entry.has("rotate")) {
+    const std::string specification = entry.text("rotate");
+    rotation = blame(entry, "rotate", [&] { return parseRotation(specification); });
+    if (specification.starts_with('@')) list.sources.push_back(specification.substr(1));
+  }
   std::optional<EnvironmentLayout> layout;
   if (entry.has("layout") && entry.text("layout") != "auto")
     layout = blame(entry, "layout", [&] { return parseLayout(entry.text("layout")); });
-  const bool isImage = !isLightFile(file);
+  const bool isImage = !outlineJson(file).object;
+  if (layout && !isImage) entry.fail("layout", "is given, but the file is no image", "leave it out");
   if (isImage && degree > kMaximumBakeDegree)
     entry.fail("file", "names an image, and the degree asked for is " + std::to_string(degree),
                "images are projected to degree " + std::to_string(kMaximumBakeDegree) + " at most");
@@ -109,9 +113,7 @@ LightCoefficients projectEntry(const JsonObject& entry, const std::filesystem::p
 }  // namespace
 
 bool isLightList(const std::filesystem::path& path) {
-  const std::string bytes = readFirstBytes(path, std::size_t{1} << 16);
-  const std::size_t brace = bytes.find_first_not_of(" \t\r\n");
-  return brace != std::string::npos && bytes[brace] == '{' && bytes.find("\"lights\"") != std::string::npos;
+  return outlineJson(path).hasLights;
 }
 
 ProjectedList projectLightList(const std::filesystem::path& path, int degree, bool strict) {

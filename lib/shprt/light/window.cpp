@@ -16,6 +16,7 @@
 
 #include "shprt/light/window.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -53,6 +54,16 @@ double directionalEnergy(const LightCoefficients& light) {
   for (std::size_t i = 1; i < light.coefficients.size(); ++i)
     for (const double value : light.coefficients[i]) energy += value * value;
   return energy;
+}
+
+// Whether values can be relative to the averages: of every colour that has any light.
+bool hasPositiveAverages(const LightCoefficients& light) {
+  for (std::size_t colour = 0; colour < 3; ++colour) {
+    const bool dark = std::all_of(light.coefficients.begin(), light.coefficients.end(),
+                                  [&](const auto& coefficient) { return coefficient[colour] == 0; });
+    if (!dark && !(light.coefficients[0][colour] > 0)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -103,7 +114,7 @@ WindowResult applyWindow(const LightCoefficients& light, Window window) {
   }
   const double before = directionalEnergy(light);
   if (before > 0) result.strength = std::fmax(0.0, 1 - directionalEnergy(result.light) / before);
-  if (light.degree <= kMaximumSearchDegree) {
+  if (light.degree <= kMaximumSearchDegree && hasPositiveAverages(light)) {
     result.minimumIrradiance = leastRelativeIrradiance(result.light);
     result.minimumRadiance = leastRelativeRadiance(result.light);
   }

@@ -17,7 +17,8 @@ struct WindowResult {
   std::string name;     // what was applied
   double strength = 0;  // share of the energy in bands 1 and up that was taken away, in [0,1]
   // Over the sphere, least channel, after windowing, relative to the average irradiance and radiance; none
-  // above kMaximumSearchDegree, where they are not searched for.
+  // above kMaximumSearchDegree, where they are not searched for, and where a colour has light but no positive
+  // average.
   std::optional<double> minimumIrradiance, minimumRadiance;
 };
 
