@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <numbers>
 #include <vector>
@@ -46,25 +47,15 @@ TEST(Rotation, MatricesAgreeWithTheReference) {
     Mat3 matrix;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) matrix.m[i][j] = entry["matrix"][i][j];
-    for (int l = 0; l <= 6; ++l)
-      for (int n = -l; n <= l; ++n) {
-        std::vector<double> unit(static_cast<std::size_t>(coefficientCount(6)));
-        unit[static_cast<std::size_t>(shIndex(l, n))] = 1;
-        const std::vector<double> column = rotated(unit, matrix);
-        for (int m = -l; m <= l; ++m) {
-          const double expected =
-              entry["D"][static_cast<std::size_t>(l)].is_array() &&
-                      entry["D"][static_cast<std::size_t>(l)][0].is_array()
-                  ? entry["D"][static_cast<std::size_t>(l)][static_cast<std::size_t>(m + l)]
-                         [static_cast<std::size_t>(n + l)]
-                             .get<double>()
-                  : entry["D"][static_cast<std::size_t>(l)]
-                         [static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)]
-                             .get<double>();
-          ASSERT_NEAR(column[static_cast<std::size_t>(shIndex(l, m))], expected, 4e-15)
-              << entry["name"] << " " << l << " " << m << " " << n;
-        }
-      }
+    for (int l = 0; l <= 6; ++l) {
+      const std::vector<double> d = wignerMatrix(l, matrix);
+      std::vector<double> expected;
+      for (const auto& row : entry["D"][static_cast<std::size_t>(l)])
+        for (const auto& number : row) expected.push_back(number.get<double>());
+      ASSERT_EQ(d.size(), expected.size());
+      for (std::size_t i = 0; i < d.size(); ++i)
+        ASSERT_NEAR(d[i], expected[i], 2.5e-15) << entry["name"] << " " << l << " " << i;
+    }
   }
 }
 
@@ -81,7 +72,7 @@ TEST(Rotation, VectorsToDegree50AgreeWithTheReference) {
       c.push_back(reference["coefficients"][i]);
     const std::vector<double> result = rotated(c, matrix);
     for (std::size_t i = 0; i < result.size(); ++i)
-      ASSERT_NEAR(result[i], entry["rotated"][i].get<double>(), 4e-14) << entry["name"] << " " << i;
+      ASSERT_NEAR(result[i], entry["rotated"][i].get<double>(), 2e-14) << entry["name"] << " " << i;
   }
 }
 
@@ -135,6 +126,96 @@ TEST(Rotation, AppliesToSeveralSetsAlike) {
   ShRotation(5, parseRotation("axis:1,2,3,40")).apply(sets);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_DOUBLE_EQ(b[i], -2 * a[i]);
   EXPECT_EQ(a, rotated(someCoefficients(5), parseRotation("axis:1,2,3,40")));
+}
+
+// A turn about z touches the pairs (m, -m) alone; the identity touches nothing.
+TEST(Rotation, IsExactAboutZ) {
+  const std::vector<double> c = someCoefficients(40);
+  EXPECT_EQ(rotated(c, Mat3{}), c);
+  const std::vector<double> half = rotated(c, parseRotation("axis:0,0,1,180"));
+  const std::vector<double> quarter = rotated(c, parseRotation("axis:0,0,1,90"));
+  for (int l = 0; l <= 40; ++l)
+    for (int m = -l; m <= l; ++m) {
+      const auto at = static_cast<std::size_t>(shIndex(l, m)),
+                 mirrored = static_cast<std::size_t>(shIndex(l, -m));
+      EXPECT_EQ(half[at], m % 2 ? -c[at] : c[at]);
+      // cos(m (phi - 90 degrees)) and sin of the same, by m mod 4.
+      const int n = std::abs(m) % 4;
+      const double sign = n == 2 || (n == 1 && m > 0) || (n == 3 && m < 0) ? -1 : 1;
+      EXPECT_EQ(quarter[at], sign * (n % 2 ? c[mirrored] : c[at])) << l << " " << m;
+    }
+}
+
+TEST(Rotation, RefusesDegreesOutOfRange) {
+  EXPECT_THROW(ShRotation(-1, Mat3{}), Error);
+  EXPECT_THROW(ShRotation(kMaximumRotationDegree + 1, Mat3{}), Error);
+  EXPECT_THROW(wignerMatrix(2, {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}), Error);
+}
+
+TEST(Rotation, TellsWhatItCorrected) {
+  EXPECT_EQ(ShRotation(3, parseRotation("axis:1,2,3,40")).correction(), 0);
+  Mat3 off = parseRotation("axis:0,0,1,90");
+  off.m[0][1] -= 3e-5;
+  const ShRotation mended(3, off);
+  EXPECT_NEAR(mended.correction(), 3e-5, 1e-8);
+  EXPECT_NEAR(mended.matrix().m[0][1], -1, 1e-15);
+  const NearestRotation parsed = parseNearestRotation("matrix:0,-1.00003,0, 1,0,0, 0,0,1");
+  EXPECT_NEAR(parsed.correction, 3e-5, 1e-8);
+  EXPECT_EQ(parseNearestRotation("quat:1,2,3,4").correction, 0);
+}
+
+// Products and transposes of rotations are those of their matrices.
+TEST(WignerMatrix, IsARepresentation) {
+  const std::vector<Mat3> rotations = hardRotations();
+  for (const int l : {1, 3, 8})
+    for (std::size_t i = 0; i + 1 < rotations.size(); ++i) {
+      const auto size = static_cast<std::size_t>(2 * l + 1);
+      const std::vector<double> a = wignerMatrix(l, rotations[i]), b = wignerMatrix(l, rotations[i + 1]);
+      const std::vector<double> both = wignerMatrix(l, rotations[i] * rotations[i + 1]);
+      const std::vector<double> back = wignerMatrix(l, transpose(rotations[i]));
+      for (std::size_t m = 0; m < size; ++m)
+        for (std::size_t n = 0; n < size; ++n) {
+          double sum = 0;
+          for (std::size_t k = 0; k < size; ++k) sum += a[m * size + k] * b[k * size + n];
+          ASSERT_NEAR(both[m * size + n], sum, 2e-14);
+          ASSERT_NEAR(back[m * size + n], a[n * size + m], 1e-14);
+        }
+    }
+}
+
+TEST(WignerMatrix, HasThePolynomialsOfBandTwo) {
+  const double angle = 0.4;
+  const std::vector<double> d = wignerMatrix(2, rotationFromEulerZyz(0, angle, 0));
+  const double c = std::cos(angle), s = std::sin(angle), root = std::sqrt(3.0);
+  // Rows and columns m = -2..2 of xy, yz, 3z^2-1, xz, x^2-y^2 under x' = cx + sz, z' = cz - sx.
+  const double expected[5][5] = {{c, s, 0, 0, 0},
+                                 {-s, c, 0, 0, 0},
+                                 {0, 0, (3 * c * c - 1) / 2, -root * s * c, root / 2 * s * s},
+                                 {0, 0, root * s * c, c * c - s * s, -s * c},
+                                 {0, 0, root / 2 * s * s, s * c, (1 + c * c) / 2}};
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t j = 0; j < 5; ++j) EXPECT_NEAR(d[i * 5 + j], expected[i][j], 1e-15) << i << " " << j;
+}
+
+TEST(RotationMatrix, FromQuaternionsOfAnyLength) {
+  const Mat3 third = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};  // x to y to z to x
+  for (const double length : {1.0, -3.0, 1e-200, 1e300}) {
+    const Mat3 matrix = rotationFromQuaternion(length, length, length, length);
+    EXPECT_EQ(matrix, third) << length;
+  }
+  EXPECT_EQ(rotationFromQuaternion(0, 0, 5, 0), (Mat3{{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}));
+  EXPECT_THROW(rotationFromQuaternion(0, 0, 0, 0), Error);
+  EXPECT_THROW(rotationFromQuaternion(NAN, 0, 0, 1), Error);
+  EXPECT_THROW(rotationFromQuaternion(INFINITY, 0, 0, 1), Error);
+}
+
+TEST(RotationMatrix, FromEulerAnglesIsTheProductOfItsTurns) {
+  const double degree = std::numbers::pi / 180;
+  const Mat3 matrix = rotationFromEulerZyz(30 * degree, 40 * degree, 50 * degree);
+  const Mat3 expected = parseRotation("euler:zyz,30,40,50");
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(matrix.m[i][j], expected.m[i][j], 4e-16);
+  EXPECT_THROW(rotationFromEulerZyz(0, NAN, 0), Error);
 }
 
 TEST(NearestRotation, MendsRoundingAndRefusesTheRest) {

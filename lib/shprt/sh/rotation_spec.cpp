@@ -1,6 +1,5 @@
 // The text form of a rotation.
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -52,10 +51,6 @@ std::vector<double> parseNumbers(std::string_view text, std::size_t count, const
   return numbers;
 }
 
-struct CosineSine {
-  double c, s;
-};
-
 // Exact at multiples of 90 degrees.
 CosineSine ofDegrees(double degrees) {
   const double turned = std::remainder(degrees, 360.0);
@@ -79,7 +74,7 @@ Mat3 aboutAxis(Vec3d axis, double degrees) {
 
 }  // namespace
 
-Mat3 parseRotation(const std::string& specification) {
+NearestRotation parseNearestRotation(const std::string& specification) {
   std::string_view text = trimmed(specification);
   std::string content;
   if (text.starts_with('@')) {
@@ -98,34 +93,31 @@ Mat3 parseRotation(const std::string& specification) {
     const auto n = parseNumbers(rest, 4, shown);
     const Vec3d axis = normalize({n[0], n[1], n[2]});
     if (axis == Vec3d{}) throw complain("has a zero axis");
-    return aboutAxis(axis, n[3]);
+    return {aboutAxis(axis, n[3])};
   }
   if (kind == "quat") {
     const auto n = parseNumbers(rest, 4, shown);
-    const double largest =
-        std::max(std::max(std::abs(n[0]), std::abs(n[1])), std::max(std::abs(n[2]), std::abs(n[3])));
-    if (largest == 0) throw complain("is a zero quaternion");
-    double w = n[0] / largest, x = n[1] / largest, y = n[2] / largest, z = n[3] / largest;
-    const double norm = std::sqrt(w * w + x * x + y * y + z * z);
-    w /= norm, x /= norm, y /= norm, z /= norm;
-    return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
-             {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
-             {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
+    if (n == std::vector<double>(4, 0.0)) throw complain("is a zero quaternion");
+    return {rotationFromQuaternion(n[0], n[1], n[2], n[3])};
   }
   if (kind == "euler") {
     const std::size_t comma = rest.find(',');
     if (comma == std::string_view::npos || trimmed(rest.substr(0, comma)) != "zyz")
       throw complain("euler takes the order zyz");
     const auto n = parseNumbers(rest.substr(comma + 1), 3, shown);
-    return aboutAxis({0, 0, 1}, n[0]) * aboutAxis({0, 1, 0}, n[1]) * aboutAxis({0, 0, 1}, n[2]);
+    return {aboutAxis({0, 0, 1}, n[0]) * aboutAxis({0, 1, 0}, n[1]) * aboutAxis({0, 0, 1}, n[2])};
   }
   if (kind == "matrix") {
     const auto n = parseNumbers(rest, 9, shown);
     Mat3 matrix;
     for (std::size_t i = 0; i < 9; ++i) matrix.m[i / 3][i % 3] = n[i];
-    return nearestRotation(matrix).rotation;
+    return nearestRotation(matrix);
   }
   throw complain("has the unknown kind '" + std::string(kind) + "'");
+}
+
+Mat3 parseRotation(const std::string& specification) {
+  return parseNearestRotation(specification).rotation;
 }
 
 }  // namespace shprt
