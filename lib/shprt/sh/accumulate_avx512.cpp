@@ -2,16 +2,24 @@
 #include "shprt/sh/accumulate_variants.h"
 
 #if defined(__x86_64__)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx512f,avx2,fma"))), apply_to = function)
+#else
 #pragma GCC target("avx512f,avx2,fma")
+#endif
+#define SHPRT_LANES 16
 #include "shprt/sh/accumulate_kernel.h"
 
 namespace shprt {
 
 void accumulateShAvx512(int degree, const float* x, const float* y, const float* z, const float* weight,
                         std::size_t count, double* sums) {
-  accumulateKernel(degree, x, y, z, weight, count, sums);
+  accumulateKernel<4>(degree, x, y, z, weight, count, sums);
 }
 
 }  // namespace shprt
 
+#if defined(__clang__)
+#pragma clang attribute pop
+#endif
 #endif

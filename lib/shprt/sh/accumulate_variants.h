@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 namespace shprt {
 
@@ -11,6 +12,8 @@ using AccumulateFunction = void (*)(int degree, const float* x, const float* y, 
 void accumulateShBaseline(int degree, const float* x, const float* y, const float* z, const float* weight,
                           std::size_t count, double* sums);
 #if defined(__x86_64__)
+void accumulateShAvx2(int degree, const float* x, const float* y, const float* z, const float* weight,
+                      std::size_t count, double* sums);
 void accumulateShAvx512(int degree, const float* x, const float* y, const float* z, const float* weight,
                         std::size_t count, double* sums);
 #endif
@@ -20,7 +23,7 @@ struct AccumulateVariant {
   AccumulateFunction function;
 };
 
-// The fastest that this processor runs.
-AccumulateVariant chooseAccumulateVariant();
+// Those that this processor runs, the fastest first.
+std::span<const AccumulateVariant> accumulateVariants();
 
 }  // namespace shprt

@@ -6,9 +6,11 @@ namespace shprt {
 
 const RecurrenceTable& recurrenceTable() {
   static const RecurrenceTable table = [] {
-    RecurrenceTable t{2 * kMaximumBakeDegree, {}};
-    for (int l = 1; l <= t.degree; ++l)
-      for (int m = 0; m < l; ++m) t.constants.push_back(recurrence(l, m));
+    RecurrenceTable t{2 * kMaximumBakeDegree, {kY00}, {}};
+    for (int m = 0; m <= t.degree; ++m) {
+      if (m > 0) t.sectoral.push_back(sectoralFactor(m));
+      for (int l = m + 1; l <= t.degree; ++l) t.steps.push_back(differenceStep(l, m));
+    }
     return t;
   }();
   return table;

@@ -1,0 +1,32 @@
+#include "shprt/sh/evaluate_batch.h"
+
+#include <cassert>
+#include <vector>
+
+#include "shprt/sh/basis.h"
+#include "shprt/sh/evaluate_batch_variants.h"
+
+namespace shprt {
+
+std::span<const EvaluateBatchVariant> evaluateBatchVariants() {
+  static const std::vector<EvaluateBatchVariant> variants = [] {
+    std::vector<EvaluateBatchVariant> v;
+#if defined(__x86_64__)
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (avx2 && __builtin_cpu_supports("avx512f")) v.push_back({"AVX-512", evaluateShBatchAvx512});
+    if (avx2) v.push_back({"AVX2", evaluateShBatchAvx2});
+#endif
+    v.push_back({"baseline", evaluateShBatchBaseline});
+    return v;
+  }();
+  return variants;
+}
+
+void evaluateShBatch(int degree, const float* x, const float* y, const float* z, std::size_t count,
+                     float* results, std::size_t stride) {
+  assert(degree >= 0 && degree <= kMaximumBakeDegree && stride >= count);
+  static const EvaluateBatchFunction function = evaluateBatchVariants().front().function;
+  function(degree, x, y, z, count, results, stride);
+}
+
+}  // namespace shprt
