@@ -36,6 +36,8 @@ refused 2 relight $a $l -o out.png --quiet --background && says --background
 refused 2 relight $a $in/probe.pfm -o out.png --background --background-color 1 && says --background
 refused 2 relight $a $l -o out.csv --size 10x10 && says --size
 refused 2 relight $a $l -o out.ply --turntable 3 && says --turntable
+refused 2 relight $a $l -o out.png --turntable 3 --json out_0002.png && says out_0002.png
+refused 1 relight $a $in/cube.obj -o out.png --quiet && says 'a mesh, not a light'
 refused 2 relight $a $l -o out.png --format csv && says --format
 refused 2 relight missing.prt.exr $l -o out.png --camera orbit:spin && says --camera
 refused 2 relight $a $l -o - --format png && says --format

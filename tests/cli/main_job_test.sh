@@ -85,6 +85,8 @@ exits 0 run diff front_converted.json right_sh.json --atol 1e-12
 exits 1 run diff front_sh.json right_sh.json
 echo 'matrix:0,0,1,0,1,0,-1,0,0' >turn.txt
 quiet relight corner.prt.exr front_sh.json -o rotated.csv --rotate @turn.txt
+run convert front_sh.json -o mended.json --rotate 'matrix:1,0,1e-4,0,1,0,-1e-4,0,1' >/dev/null 2>note.txt
+check "a matrix off by rounding is told" grep -q 'the matrix is off by 5e-09' note.txt
 quiet relight corner.prt.exr right_sh.json -o right.csv
 awk -F, 'NR == FNR { for (i = 1; i <= 9; ++i) a[FNR, i] = $i; next }
          FNR > 1 { for (i = 1; i <= 9; ++i) if (a[FNR, i] - $i > 1e-6 || $i - a[FNR, i] > 1e-6) bad = 1 }

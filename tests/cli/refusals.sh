@@ -27,6 +27,8 @@ printf '{"format":"shprt-convention","version":1,"convention":"godot","degree":2
 printf '{"format":"shprt-convention","version":1,"convention":"unity","degree":2,"coefficients":[[1,1,1]]}' >short_convention.json
 "$shprt" convert light.json -o unity.json --convention unity --quiet 2>/dev/null
 printf 'matrix:1,0,0,0,1,0,0,0,-1' >mirror.txt
+echo 'axis:0,1,0,90' >turn.txt
+printf '{"lights":[{"type":"probe","file":"light.json","layout":"latlong"}]}' >layout_list.json
 ln -s /dev/full full.prt.exr
 for suffix in csv json png ply; do ln -s /dev/full "full.$suffix"; done
 mkdir "$work/case"

@@ -66,6 +66,7 @@ int runConvert(const ConvertOptions& options) {
   checkOutput(options.output, inputs);
   checkOutput(options.common.jsonFile, inputs);
   checkDistinct(options.output, options.common);
+  noteCorrection(console, options.rotation);
   const LightCoefficients original = loadConvertible(options.input);
   LightCoefficients light = original;
   if (options.degree) light = withDegree(light, *options.degree);

@@ -94,6 +94,7 @@ int runProjectProbe(const ProbeOptions& options) {
   checkOutput(options.output, inputs);
   checkOutput(options.common.jsonFile, inputs);
   checkDistinct(options.output, options.common);
+  noteCorrection(console, options.rotation);
   if (fileKind(options.input) == FileKind::kLight) {
     readLight(options.input);  // says what is wrong with it, if anything is
     throw Error(options.input, "is a light file already", "turn or cut it with shprt convert");

@@ -143,6 +143,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   checkOutput(options.common.jsonFile, inputs);
   for (int frame = 0; frame < frames; ++frame) checkDistinct(frameFile(options, frame), options.common);
   setThreadCount(options.threads);
+  noteCorrection(console, options.rotation);
 
   const TransferAsset asset = readAsset(options.asset);
   console.field("asset",

@@ -156,14 +156,20 @@ CLI::Option* addParsed(CLI::App& app, const std::string& name, const std::string
   return addText(app, name, typeName, take, description);
 }
 
+void noteCorrection(const Console& console, const std::optional<RotationArgument>& rotation) {
+  constexpr double kWorthTelling = 1e-12;
+  if (!rotation || rotation->correction <= kWorthTelling) return;
+  console.note(fmt::format("--rotate: the matrix is off by {:.2g}; the rotation nearest to it is used",
+                           rotation->correction));
+}
+
 CLI::Option* addRotation(CLI::App& app, std::optional<RotationArgument>& rotation) {
-  // ShRotation judges whether it is a rotation at all, here and not after minutes of other work.
+  // Whether it is a rotation at all is judged here and not after minutes of other work.
   const auto parse = [&rotation](const std::string& text) {
-    const Mat3 matrix = parseRotation(text);
-    static_cast<void>(ShRotation(0, matrix));
+    const NearestRotation nearest = parseNearestRotation(text);
     const std::size_t mark = text.find_first_not_of(" \t");
     const bool named = mark != std::string::npos && text[mark] == '@';
-    rotation = RotationArgument{matrix, named ? text.substr(mark + 1) : ""};
+    rotation = RotationArgument{nearest.rotation, nearest.correction, named ? text.substr(mark + 1) : ""};
   };
   return addParsed(
       app, "--rotate", "SPEC", parse,

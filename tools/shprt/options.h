@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "console.h"
 #include "shprt/base/vec.h"
 
 namespace shprt {
@@ -34,8 +35,11 @@ CLI::Option* addParsed(CLI::App& app, const std::string& name, const std::string
 
 struct RotationArgument {
   Mat3 matrix;
-  std::string file;  // that @FILE named; "" for none
+  double correction = 0;  // by how much a given matrix was off this one, its nearest rotation
+  std::string file;       // that @FILE named; "" for none
 };
+// Says so when a matrix was mended.
+void noteCorrection(const Console& console, const std::optional<RotationArgument>& rotation);
 CLI::Option* addRotation(CLI::App& app, std::optional<RotationArgument>& rotation);
 CLI::Option* addExposure(CLI::App& app, std::optional<double>& exposure, const std::string& description);
 CLI::Option* addDegree(CLI::App& app, int& degree);
