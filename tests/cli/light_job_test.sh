@@ -50,7 +50,7 @@ fi
 # --- conventions ----------------------------------------------------------------------------------------------------
 quiet project-probe probe.pfm -o probe2.json --degree 2
 quiet project-probe probe.pfm -o probe6.json --degree 6
-for name in condon-shortley l1-vector three.js unity unreal filament; do
+for name in condon-shortley l1-vector three.js unity unreal filament gltf; do
   quiet convert probe2.json -o "$name.json" --convention $name
   check "$name names itself" grep -q "\"convention\": \"$name\"" "$name.json"
   quiet convert "$name.json" -o back.json

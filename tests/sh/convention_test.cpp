@@ -116,6 +116,7 @@ TEST(Conventions, EngineFormulasRebuildTheLight) {
     EXPECT_NEAR(sixDigitBasis(in(Convention::kCondonShortley), w, -1), radiance, 1e-5);
     EXPECT_NEAR(plainPolynomials(in(Convention::kUnity), unity), lambert, 4e-15);
     EXPECT_NEAR(plainPolynomials(in(Convention::kFilament), w), lambert, 4e-15);
+    EXPECT_NEAR(sixDigitBasis(in(Convention::kGltf), w, 1), pi * lambert, 1e-5);
     const Values r = in(Convention::kL1Vector);
     const Vec3d product = Mat3{{{r[4], r[7], r[8]}, {r[7], r[5], r[9]}, {r[8], r[9], r[6]}}} * w;
     EXPECT_NEAR(r[0] + 3 * dot(Vec3d{r[1], r[2], r[3]}, w) + 7.5 * dot(w, product), radiance, 4e-15);
@@ -140,7 +141,10 @@ TEST(Conventions, HaveTheirClosedForms) {
   expectValues(Convention::kUnity, constant, {1, 0, 0, 0, 0, 0, 0, 0, 0});
   expectValues(Convention::kFilament, constant, {1, 0, 0, 0, 0, 0, 0, 0, 0});
   expectValues(Convention::kL1Vector, constant, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  expectValues(Convention::kGltf, constant, {pi * root, 0, 0, 0, 0, 0, 0, 0, 0});
   expectValues(Convention::kThreeJs, sun, {c0, 0, 0, c1, 0, 0, -c20, 0, c22});
+  expectValues(Convention::kGltf, sun,
+               {pi * c0, 0, 0, 2 * pi / 3 * c1, 0, 0, -pi / 4 * c20, 0, pi / 4 * c22});
   expectValues(Convention::kUnreal, sun, {c0, 0, 0, -c1, 0, 0, -c20, 0, c22});
   // E/pi = (1/4pi)(1 + 2 n.s + 5/4 (3 (n.s)^2 - 1)/2), n.s = x, 3x^2 - 1 = 3/2 (x^2-y^2) - (3z^2-1)/2.
   const double k = 1 / (4 * pi);

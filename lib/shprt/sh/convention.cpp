@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kFlatOrder = "l(l+1)+m";
 
-constexpr std::array<ConventionFacts, 6> kFacts = {{
+constexpr std::array<ConventionFacts, 7> kFacts = {{
     {Convention::kCondonShortley, "condon-shortley", 0, 4096, kFlatOrder,
      "radiance, coefficients of the real orthonormal basis with Condon-Shortley phase: y_lm times (-1)^m",
      "right-handed, +Y up: x, y, z"},
@@ -43,13 +43,19 @@ constexpr std::array<ConventionFacts, 6> kFacts = {{
      "irradiance / pi, as IndirectLight::Builder::irradiance takes it: values of 1, y, z, x, xy, yz, 3z^2-1, "
      "xz, x^2-y^2 of the normal",
      "right-handed, +Y up: x, y, z"},
+    {Convention::kGltf, "gltf", 2, 2, kFlatOrder,
+     "irradiance, coefficients as EXT_lights_image_based holds them: real orthonormal, without "
+     "Condon-Shortley "
+     "phase as in the paper it cites (Babylon.js reads them with the phase)",
+     "right-handed, +Y up: x, y, z"},
 }};
 
 bool hasPhase(Convention convention) {
   return convention == Convention::kCondonShortley || convention == Convention::kUnreal;
 }
 
-bool holdsIrradiance(Convention convention) {
+// Irradiance over pi by plain polynomials of the normal.
+bool holdsPolynomials(Convention convention) {
   return convention == Convention::kUnity || convention == Convention::kFilament;
 }
 
@@ -83,7 +89,8 @@ std::vector<double> factorsOf(Convention convention, int degree) {
     for (int m = -l; m <= l; ++m) {
       double& factor = factors[static_cast<std::size_t>(shIndex(l, m))];
       if (hasPhase(convention) && m % 2 != 0) factor = -1;
-      if (holdsIrradiance(convention))
+      if (convention == Convention::kGltf) factor = cosine[static_cast<std::size_t>(l)];
+      if (holdsPolynomials(convention))
         factor *=
             cosine[static_cast<std::size_t>(l)] * std::numbers::inv_pi * polynomialConstant(shIndex(l, m));
     }

@@ -8,7 +8,7 @@
 
 namespace shprt {
 
-enum class Convention { kCondonShortley, kL1Vector, kThreeJs, kUnity, kUnreal, kFilament };
+enum class Convention { kCondonShortley, kL1Vector, kThreeJs, kUnity, kUnreal, kFilament, kGltf };
 
 struct ConventionFacts {
   Convention convention;
