@@ -201,7 +201,7 @@ SHPRT_INLINE void evaluateVectors(const EvaluationTables& tables, int degree, co
   }
 }
 
-// function.template operator()<kDegree>() with the degree as a constant up to 8, beyond with kAnyDegree.
+// function.template operator()<kDegree>() with the degree as a constant up to 4, beyond with kAnyDegree.
 template <typename Function>
 SHPRT_INLINE void withDegree(int degree, const Function& function) {
   switch (degree) {
