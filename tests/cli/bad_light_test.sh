@@ -21,6 +21,8 @@ refused 2 project-probe $in/probe.pfm -o out.json --degree 33 && says 'from 0 to
 refused 2 project-probe $in/front.json -o out.json --degree 1001 && says 'from 0 to 1000'
 refused 1 project-probe $in/probe.pfm -o $in/turn.txt --rotate @$in/turn.txt && says 'would be overwritten'
 refused 1 convert $in/light.json -o out.json --json $in/turn.txt --rotate @$in/turn.txt && says 'would be overwritten'
+refused 1 project-probe $in/bright.json -o out.json --exposure 60 && says 'beyond double'
+refused 1 convert $in/brighter_light.json -o out.json --convention gltf && says 'beyond double'
 refused 1 project-probe $in/layout_list.json -o out.json && says 'lights[0].layout'
 refused 1 project-probe $in/image_list.json -o out.json --degree 33 && says 'lights[0].file'
 refused 1 project-probe $in/front.json -o out.json --degree 33 --window auto && says 'degree 32 or less'

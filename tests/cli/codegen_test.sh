@@ -35,4 +35,8 @@ command=$(sed -n 's,^//   shprt ,,p' light.h)
 eval "\"\$shprt\" $command" 2>/dev/null | cmp - light.h || fail "the quoted command makes other code"
 "$shprt" codegen --language c --light "a 'light' \\.json" --degree 1 -o small.h --quiet
 grep -q 'shLight\[12\]' small.h || fail "bands were not dropped"
+# Headers that hold different things refuse to be included together.
+mark() { sed -n 's/^#define SHPRT_CODE //p' "$1"; }
+[ -n "$(mark light.h)" ] && [ "$(mark light.h)" != "$(mark small.h)" ] || fail "two headers with one mark"
+grep -q "^#elif SHPRT_CODE != $(mark light.h)$" light.h || fail "no refusal of another header"
 echo "passed"

@@ -28,6 +28,9 @@ printf '{"format":"shprt-convention","version":1,"convention":"unity","degree":2
 "$shprt" convert light.json -o unity.json --convention unity --quiet 2>/dev/null
 printf 'matrix:1,0,0,0,1,0,0,0,-1' >mirror.txt
 echo 'axis:0,1,0,90' >turn.txt
+printf '{"lights":[{"type":"constant","radiance":[2e300,2e300,2e300]}]}' >bright.json
+"$shprt" project-probe bright.json -o bright_light.json --degree 2 --quiet
+sed 's/e+300/e+307/g' bright_light.json >brighter_light.json
 printf '{"lights":[{"type":"probe","file":"light.json","layout":"latlong"}]}' >layout_list.json
 ln -s /dev/full full.prt.exr
 for suffix in csv json png ply; do ln -s /dev/full "full.$suffix"; done

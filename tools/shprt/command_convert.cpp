@@ -76,9 +76,12 @@ int runConvert(const ConvertOptions& options) {
     light = fitToConvention(console, light, conventionFacts(*options.convention), conversion);
   Json figures = lightStatisticsJson(light);
   if (options.rotation) figures["rotation"] = options.rotation->matrix.m;
-  // What the maker measured of the light holds no longer once it is turned or cut.
-  if (options.rotation || light.degree != original.degree || light.statisticsJson.empty())
-    light.statisticsJson = figures.dump();
+  // What only the maker could measure holds as long as the light is the same.
+  Json statistics = Json::object();
+  if (!options.rotation && light.degree == original.degree && !original.statisticsJson.empty())
+    statistics = Json::parse(original.statisticsJson);
+  statistics.update(figures);
+  light.statisticsJson = statistics.dump();
   writeText(options.output,
             options.convention ? formatConventionFile(light, *options.convention) : formatLight(light));
 

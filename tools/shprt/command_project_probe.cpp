@@ -55,7 +55,8 @@ Json makingOf(const ProbeOptions& options, const LoadedLight& loaded, const Wind
 
 // One of the least values of a WindowResult, and the window that would lift it to zero.
 void printLeast(const Console& console, const char* label, std::optional<double> least, const char* window) {
-  if (!least) return;
+  if (!least)
+    return console.field(label, "      none: a colour has no positive average, or the degree is above 32");
   console.field(label, fmt::format("{:>10.3g} of the average{}", *least,
                                    *least < 0 ? fmt::format("; --window {} mends that", window) : ""));
 }

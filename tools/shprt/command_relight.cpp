@@ -78,30 +78,34 @@ float automaticExposure(const RelightOptions& options, const std::vector<Vec3f>&
 
 struct Ringing {
   std::uint64_t vertices = 0;  // with a negative colour
-  float deepest = 0;           // most negative value over the mean luminance
+  float deepest = 0;           // most negative value
+  double mean = 0;             // luminance
 };
 
 Ringing measureRinging(const std::vector<Vec3f>& radiance) {
   Ringing ringing;
-  double sum = 0;
   for (const Vec3f& value : radiance) {
     const float least = std::min({value.x, value.y, value.z});
     ringing.vertices += least < 0;
     ringing.deepest = std::min(ringing.deepest, least);
-    sum += static_cast<double>(luminance(value));
+    ringing.mean += static_cast<double>(luminance(value)) / static_cast<double>(radiance.size());
   }
-  if (sum > 0) ringing.deepest /= static_cast<float>(sum / static_cast<double>(radiance.size()));
   return ringing;
 }
 
 void noteRinging(const Console& console, const RelightOptions& options, const Ringing& ringing,
                  bool display) {
   if (ringing.vertices == 0) return;
-  console.note(
-      fmt::format("{} a negative colour, down to {:.2g}% of the mean, from ringing or negative light{}{}",
-                  countOf(ringing.vertices, "vertex has", "vertices have"),
-                  100 * static_cast<double>(ringing.deepest), display ? "; shown as 0" : "",
-                  options.window == Window::kNone ? "; --window hann softens the light" : ""));
+  const auto deepest = static_cast<double>(ringing.deepest);
+  const std::string depth = ringing.mean > 0
+                                ? fmt::format("{:.2g}% of the mean", 100 * deepest / ringing.mean)
+                                : fmt::format("{:.3g}, the mean being {:.3g}", deepest, ringing.mean);
+  // Shadows can ring where the unshadowed irradiance, which auto looks at, does not.
+  const bool softer = options.window == Window::kNone || options.window == Window::kAuto;
+  console.note(fmt::format("{} a negative colour, down to {}, from ringing or negative light{}{}",
+                           countOf(ringing.vertices, "vertex has", "vertices have"), depth,
+                           display ? "; shown as 0" : "",
+                           softer && ringing.mean > 0 ? "; --window hann softens the light" : ""));
 }
 
 void writeColouredMesh(const RelightOptions& options, const TransferAsset& asset,

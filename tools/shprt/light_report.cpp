@@ -24,8 +24,8 @@ Json dominantLightJson(const DominantLight& dominant) {
 void printDominantLight(const Console& console, const DominantLight& dominant) {
   const bool directed = dominant.direction != Vec3d{};
   console.field("dominant light", directed ? formatTriple(dominant.irradiance) : "      none");
-  if (!directed) return;
   console.field("ambient rest", formatTriple(dominant.ambientRadiance));
+  if (!directed) return;
   const auto& [r, g, b] = dominant.unexplained;
   console.field("unexplained", fmt::format("{:>9.2f}% {:>9.2f}% {:>9.2f}%", 100 * r, 100 * g, 100 * b));
 }

@@ -1,6 +1,7 @@
 // C99, as a header of static inline functions. C has no vectors: a direction is three numbers, an array of
 // colours three numbers per entry, one after the other, and the statements on colours are loops over
 // channels.
+#include <cstdint>
 #include <string>
 
 #include "shprt/codegen/dialect.h"
@@ -23,11 +24,16 @@ class CDialect final : public Dialect {
     return rotation + "[" + std::to_string(3 * row + column) + "]";
   }
 
-  std::string fileBegin(int degree) const override {
-    const std::string guard = "SH_DEGREE_" + std::to_string(degree) + "_H";
-    return "#ifndef " + guard + "\n#define " + guard + "\n\n";
+  // Two headers share their names. The same one may be included twice; of different ones the second would be
+  // passed over in silence, so it is refused by what it holds.
+  std::string wrapped(const std::string& content) const override {
+    std::uint32_t hash = 2166136261u;  // FNV-1a
+    for (const char c : content) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    const std::string number = std::to_string(hash) + "u";
+    return "#if !defined(SHPRT_CODE)\n#define SHPRT_CODE " + number + "\n\n" + content +
+           "\n#elif SHPRT_CODE != " + number +
+           "\n#error \"two generated headers share their names: generate one that holds all\"\n#endif\n";
   }
-  std::string fileEnd() const override { return "\n#endif\n"; }
 
   std::string helpers(const CodeRequest& request) const override {
     const bool lobes = request.functions.rotation && request.degree > 1;

@@ -42,8 +42,8 @@ class Dialect {
   virtual std::string component(const std::string& direction, int axis) const = 0;
   virtual std::string rotationEntry(const std::string& rotation, int row, int column) const = 0;
 
-  virtual std::string fileBegin(int degree) const = 0;
-  virtual std::string fileEnd() const = 0;
+  // The file around its content.
+  virtual std::string wrapped(const std::string& content) const = 0;
   // Small functions that the statements below call, each with an empty line after it.
   virtual std::string helpers(const CodeRequest& request) const = 0;
   virtual std::string constantColours(const std::string& name, const std::vector<Vec3d>& colours) const = 0;

@@ -103,7 +103,7 @@ std::string generateCode(const CodeRequest& request) {
   assert(request.light.empty() ||
          request.light.size() == static_cast<std::size_t>(coefficientCount(request.degree)));
   const std::unique_ptr<Dialect> dialect = makeDialect(request.language, request.doublePrecision);
-  std::string code = opening(request) + "\n" + dialect->fileBegin(request.degree);
+  std::string code;
   std::string separator;
   const auto section = [&](const std::string& text) {
     code += separator + text;
@@ -126,7 +126,7 @@ std::string generateCode(const CodeRequest& request) {
         sumFunction(*dialect, request.degree, "shIrradiance", "normal", "irradiance",
                     clampedCosineFactors(request.degree)));
   if (request.functions.rotation) section(rotationCode(*dialect, request.degree));
-  return code + dialect->fileEnd();
+  return opening(request) + "\n" + dialect->wrapped(code);
 }
 
 }  // namespace shprt

@@ -23,8 +23,7 @@ class ShaderDialect final : public Dialect {
            std::to_string(rowFirst ? column : row) + "]";
   }
 
-  std::string fileBegin(int) const override { return ""; }
-  std::string fileEnd() const override { return ""; }
+  std::string wrapped(const std::string& content) const override { return content; }
   std::string helpers(const CodeRequest&) const override { return ""; }
 
   std::string constantColours(const std::string& name, const std::vector<Vec3d>& colours) const override {

@@ -53,6 +53,10 @@ std::string formatConventionFile(const LightCoefficients& light, Convention conv
   const Triples values = convertColours(light.coefficients, [&](const std::vector<double>& colour) {
     return toConvention(convention, light.degree, colour);
   });
+  for (const auto& value : values)
+    for (const double channel : value)
+      if (!std::isfinite(channel))
+        throw Error("light", "a value is beyond double in this convention", "scale the light down");
   const ConventionFacts& facts = conventionFacts(convention);
   const auto quoted = [](const std::string& text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -97,7 +97,20 @@ LightCoefficients readLight(const std::filesystem::path& path) {
   return light;
 }
 
+void requireWritable(const LightCoefficients& light) {
+  if (light.coefficients.size() != static_cast<std::size_t>(coefficientCount(light.degree)))
+    throw Error("light", "does not have as many coefficients as its degree asks for");
+  for (std::size_t i = 0; i < light.coefficients.size(); ++i) {
+    for (const double value : light.coefficients[i]) {
+      if (!std::isfinite(value))
+        throw Error("light", "coefficient " + std::to_string(i) + " is beyond double",
+                    "look for infinite pixels, scales or exposures");
+    }
+  }
+}
+
 std::string formatLight(const LightCoefficients& light) {
+  requireWritable(light);
   std::string text = fmt::format(
       "{{\n  \"format\": \"shprt-light\",\n  \"version\": {},\n  \"basis\": {{\"convention\": "
       "\"{}\", \"condonShortley\": false, \"index\": \"{}\"}},\n"
@@ -117,15 +130,6 @@ std::string formatLight(const LightCoefficients& light) {
 }
 
 void writeLight(const std::filesystem::path& path, const LightCoefficients& light) {
-  if (light.coefficients.size() != static_cast<std::size_t>(coefficientCount(light.degree)))
-    throw Error(path.string(), "the light does not have as many coefficients as its degree asks for");
-  for (std::size_t i = 0; i < light.coefficients.size(); ++i) {
-    for (const double value : light.coefficients[i]) {
-      if (!std::isfinite(value))
-        throw Error(path.string(), "coefficient " + std::to_string(i) + " of the light is not finite",
-                    "JSON cannot hold it; look for infinite pixels or scales");
-    }
-  }
   writeFile(path, formatLight(light));
 }
 

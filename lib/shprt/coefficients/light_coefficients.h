@@ -37,6 +37,9 @@ bool isLightFile(const std::filesystem::path& path);
 LightCoefficients readLight(const std::filesystem::path& path);
 
 // The text of a light file: doubles in shortest form that reads back to the same bits.
+// Throws Error unless every coefficient is a finite number and there are as many as the degree asks for: JSON
+// cannot hold others.
+void requireWritable(const LightCoefficients& light);
 std::string formatLight(const LightCoefficients& light);
 
 // Writes formatLight() atomically. Throws Error when a coefficient is not finite or the count is wrong.

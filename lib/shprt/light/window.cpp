@@ -56,14 +56,16 @@ double directionalEnergy(const LightCoefficients& light) {
   return energy;
 }
 
-// Whether values can be relative to the averages: of every colour that has any light.
+// Whether values can be relative to the averages: of every colour that has any light, and there is some.
 bool hasPositiveAverages(const LightCoefficients& light) {
+  bool any = false;
   for (std::size_t colour = 0; colour < 3; ++colour) {
     const bool dark = std::all_of(light.coefficients.begin(), light.coefficients.end(),
                                   [&](const auto& coefficient) { return coefficient[colour] == 0; });
     if (!dark && !(light.coefficients[0][colour] > 0)) return false;
+    any = any || !dark;
   }
-  return true;
+  return any;
 }
 
 }  // namespace
