@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "shprt/sh/basis.h"
@@ -83,9 +84,10 @@ TEST(RotationVariants, ManySetsAreExactInWholeNumbers) {
   for (const RotationVariant* variant : availableVariants())
     for (const int size : {1, 3, 5, 7, 9, 11, 17, 19})
       for (const std::size_t setCount : {1u, 15u, 16u, 33u, 700u})
-        for (const bool pastCaches : {false, true}) {
+        for (const auto& [pastCaches, stride] : {std::pair<bool, std::size_t>{false, setCount + 3},
+                                                 {true, setCount + 3},
+                                                 {true, (setCount + 31) / 16 * 16}}) {
           const auto rows = static_cast<std::size_t>(size);
-          const std::size_t stride = setCount + 3;
           std::vector<float> matrix(rows * rows), from(rows * stride), to(rows * stride + 1, -1);
           for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = static_cast<float>(i % 7) - 3;
           for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<float>(i % 11) - 5;

@@ -54,7 +54,7 @@ struct RotationVariant {
 };
 
 // Sets that rotateManyBand takes at a time.
-inline constexpr std::size_t kManyBlock = 128;
+inline constexpr std::size_t kManyBlock = 256;
 
 extern const RotationVariant kRotationBaseline;
 #if defined(__x86_64__)
