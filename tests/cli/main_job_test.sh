@@ -150,6 +150,7 @@ check "even light has no direction" grep -q 'dominant direction *none' <(run inf
 quiet convert probe.json -o same.json --degree 4
 check "what stays as it was keeps its figures" grep -q energyMissed same.json
 check "info of a light" grep -q '"kind": "light"' <(run info probe.json --json)
+check "info tells how a light was made" grep -qE '^layout +"latlong"' <(run info probe.json)
 check "info of a list" grep -q '"kind": "light list"' <(run info above.json --json)
 check "info of a mesh" grep -q '"kind": "mesh"' <(run info cube.obj --json)
 check "info of an image" grep -q '"layout": "latlong"' <(run info probe.pfm --json)

@@ -131,7 +131,14 @@ Json describeLightFile(const Console& console, const std::string& path) {
   Json figures = {{"kind", "light"}};
   figures.update(describeLight(console, light, path));
   const Json stored = Json::parse(light.statisticsJson, nullptr, false);
-  if (stored.is_object()) figures["statistics"] = stored;
+  if (!stored.is_object()) return figures;
+  figures["statistics"] = stored;
+  // What was measured of the coefficients stands above; the rest tells how the light was made.
+  const Json measured = lightStatisticsJson(light);
+  for (const auto& [name, value] : stored.items()) {
+    if (!measured.contains(name))
+      console.field(name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
   return figures;
 }
 
