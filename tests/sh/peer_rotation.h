@@ -31,8 +31,8 @@ class BandMatrix {
   std::vector<Number> entries_;
 };
 
-// Based on: Risbo 1996, eqs. 5-6: d^j(beta) from d^(j-1/2)(beta). Cosines and sines of the real basis are
-// sums and differences of d_mn and d_m,-n. The angles are those of the matrix, R = Rz(alpha) Ry(beta)
+// Based on: Risbo 1996 (recursion in j): d^j(beta) from d^(j-1/2)(beta). Cosines and sines of the real basis
+// are sums and differences of d_mn and d_m,-n. The angles are those of the matrix, R = Rz(alpha) Ry(beta)
 // Rz(gamma).
 inline std::vector<double> referenceWigner(int l, const Mat3& rotation) {
   using Real = long double;
@@ -75,7 +75,7 @@ inline std::vector<double> referenceWigner(int l, const Mat3& rotation) {
   return result.entries();
 }
 
-// Based on: Ivanic and Ruedenberg 1996 with the corrections of 1998, tables 1-2: every band from the one
+// Based on: Ivanic and Ruedenberg 1996 with the corrections of 1998: every band from the one
 // below and band 1.
 inline std::vector<double> ivanicRuedenbergWigner(int degree, const Mat3& rotation) {
   constexpr std::array<int, 3> kAxisOf = {1, 2, 0};  // m = -1, 0, 1 are y, z, x
