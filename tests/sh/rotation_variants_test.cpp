@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shprt/sh/basis.h"
+#include "shprt/sh/processor.h"
 #include "shprt/sh/rotation.h"
 #include "shprt/sh/rotation_kernel_turns.h"
 #include "shprt/sh/rotation_turns.h"
@@ -19,8 +20,8 @@ namespace {
 std::vector<const RotationVariant*> availableVariants() {
   std::vector<const RotationVariant*> variants = {&kRotationBaseline};
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) variants.push_back(&kRotationAvx2);
-  if (__builtin_cpu_supports("avx512f")) variants.push_back(&kRotationAvx512);
+  if (hasAvx2()) variants.push_back(&kRotationAvx2);
+  if (hasAvx512()) variants.push_back(&kRotationAvx512);
 #endif
   return variants;
 }

@@ -161,9 +161,7 @@ int runBake(const BakeOptions& options) {
   }
   checkInput(options.mesh);
   const std::vector<std::string> inputs = {options.mesh};
-  checkOutput(options.output, inputs);
-  checkOutput(options.common.jsonFile, inputs);
-  checkDistinct(options.output, options.common);
+  checkTargets(options.output, options.common, inputs);
   setThreadCount(options.threads);
 
   LoadedMesh loaded = loadMesh(options.mesh, {options.creaseAngle});

@@ -63,9 +63,7 @@ int runConvert(const ConvertOptions& options) {
   const Console console = makeConsole(options.common, options.output);
   std::vector<std::string> inputs = {options.input};
   if (options.rotation) inputs.push_back(options.rotation->file);
-  checkOutput(options.output, inputs);
-  checkOutput(options.common.jsonFile, inputs);
-  checkDistinct(options.output, options.common);
+  checkTargets(options.output, options.common, inputs);
   noteCorrection(console, options.rotation);
   const LightCoefficients original = loadConvertible(options.input);
   LightCoefficients light = original;

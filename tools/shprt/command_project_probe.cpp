@@ -92,9 +92,7 @@ int runProjectProbe(const ProbeOptions& options) {
   checkInput(options.input);
   std::vector<std::string> inputs = {options.input};
   if (options.rotation) inputs.push_back(options.rotation->file);
-  checkOutput(options.output, inputs);
-  checkOutput(options.common.jsonFile, inputs);
-  checkDistinct(options.output, options.common);
+  checkTargets(options.output, options.common, inputs);
   noteCorrection(console, options.rotation);
   if (fileKind(options.input) == FileKind::kLight) {
     readLight(options.input);  // says what is wrong with it, if anything is

@@ -35,6 +35,13 @@ void checkDistinct(const std::string& output, const CommonOptions& common) {
   }
 }
 
+void checkTargets(const std::string& output, const CommonOptions& common,
+                  const std::vector<std::string>& inputs) {
+  checkOutput(output, inputs);
+  checkOutput(common.jsonFile, inputs);
+  checkDistinct(output, common);
+}
+
 std::string suffixOf(const std::string& path) {
   std::string suffix = fs::path(path).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),

@@ -24,6 +24,10 @@ void checkNotInput(const std::string& target, const std::vector<std::filesystem:
 // Throws UsageError when the figures would go to the same file as the result.
 void checkDistinct(const std::string& output, const CommonOptions& common);
 
+// checkOutput() and checkDistinct() for a command with one result: its file and that of its figures.
+void checkTargets(const std::string& output, const CommonOptions& common,
+                  const std::vector<std::string>& inputs);
+
 // Lower-case suffix with its dot; "" for none.
 std::string suffixOf(const std::string& path);
 

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <fstream>
 #include <stdexcept>
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 
 namespace shprt {
-namespace {
-
-constexpr std::uint64_t kMaximumJsonBytes = std::uint64_t{1} << 30;
-
-}  // namespace
-
 nlohmann::json parseJson(std::string_view text) {
   // Far deeper than any file means; what is deeper would overflow the stack where it is written again.
   constexpr int kDeepest = 100;
@@ -36,8 +31,9 @@ JsonOutline outlineJson(const std::filesystem::path& path) {
   std::string key;
   struct Enough {};
   try {
-    [[maybe_unused]] const nlohmann::json topLevel = nlohmann::json::parse(
-        readFile(path, kMaximumJsonBytes), [&](int depth, Event event, nlohmann::json& parsed) {
+    std::ifstream file(path, std::ios::binary);  // read as far as the parser goes
+    [[maybe_unused]] const nlohmann::json topLevel =
+        nlohmann::json::parse(file, [&](int depth, Event event, nlohmann::json& parsed) {
           if (depth != 1) return depth < 1;
           if (event == Event::key) key = parsed.get<std::string>();
           if (event == Event::value && key == "format" && parsed.is_string()) {
@@ -58,7 +54,8 @@ JsonOutline outlineJson(const std::filesystem::path& path) {
 }
 
 nlohmann::json readJsonObject(const std::filesystem::path& path) {
-  const std::string bytes = readFile(path, kMaximumJsonBytes);
+  constexpr std::uint64_t kMaximumBytes = std::uint64_t{1} << 30;
+  const std::string bytes = readFile(path, kMaximumBytes);
   nlohmann::json value;
   try {
     value = parseJson(bytes);

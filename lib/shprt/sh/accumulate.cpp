@@ -5,6 +5,7 @@
 
 #include "shprt/sh/accumulate_variants.h"
 #include "shprt/sh/basis.h"
+#include "shprt/sh/processor.h"
 
 namespace shprt {
 
@@ -12,9 +13,8 @@ std::span<const AccumulateVariant> accumulateVariants() {
   static const std::vector<AccumulateVariant> variants = [] {
     std::vector<AccumulateVariant> v;
 #if defined(__x86_64__)
-    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (avx2 && __builtin_cpu_supports("avx512f")) v.push_back({"AVX-512", accumulateShAvx512});
-    if (avx2) v.push_back({"AVX2", accumulateShAvx2});
+    if (hasAvx512()) v.push_back({"AVX-512", accumulateShAvx512});
+    if (hasAvx2()) v.push_back({"AVX2", accumulateShAvx2});
 #endif
     v.push_back({"baseline", accumulateShBaseline});
     return v;

@@ -5,6 +5,7 @@
 
 #include "shprt/sh/basis.h"
 #include "shprt/sh/evaluate_batch_variants.h"
+#include "shprt/sh/processor.h"
 
 namespace shprt {
 
@@ -12,9 +13,8 @@ std::span<const EvaluateBatchVariant> evaluateBatchVariants() {
   static const std::vector<EvaluateBatchVariant> variants = [] {
     std::vector<EvaluateBatchVariant> v;
 #if defined(__x86_64__)
-    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (avx2 && __builtin_cpu_supports("avx512f")) v.push_back({"AVX-512", evaluateShBatchAvx512});
-    if (avx2) v.push_back({"AVX2", evaluateShBatchAvx2});
+    if (hasAvx512()) v.push_back({"AVX-512", evaluateShBatchAvx512});
+    if (hasAvx2()) v.push_back({"AVX2", evaluateShBatchAvx2});
 #endif
     v.push_back({"baseline", evaluateShBatchBaseline});
     return v;

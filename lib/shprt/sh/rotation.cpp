@@ -14,6 +14,7 @@
 
 #include "shprt/base/error.h"
 #include "shprt/sh/basis.h"
+#include "shprt/sh/processor.h"
 #include "shprt/sh/rotation_kernel_turns.h"
 #include "shprt/sh/rotation_swap.h"
 #include "shprt/sh/rotation_turns.h"
@@ -83,8 +84,8 @@ const UnrolledSwaps& unrolledSwaps() {
 
 const RotationVariant& chooseRotationVariant() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f")) return kRotationAvx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return kRotationAvx2;
+  if (hasAvx512()) return kRotationAvx512;
+  if (hasAvx2()) return kRotationAvx2;
 #endif
   return kRotationBaseline;
 }
