@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
   if (!std::filesystem::exists(path)) path = SHPRT_SOURCE_DIR "/data/knot.ply";
   const Mesh mesh = loadMesh(path).mesh;
   const std::vector<Vec3f> positions = toScene(chooseSceneFrame(mesh.positions), mesh.positions);
-  const std::vector<Vec3f> albedo(positions.size(), Vec3f{0.8f, 0.8f, 0.8f});
+  const Scene scene = makeScene(mesh, std::vector<Vec3f>(positions.size(), Vec3f{0.8f, 0.8f, 0.8f}));
   const FibonacciHemisphere lattice(rays, 16);
   std::printf("%s: %zu vertices, %zu triangles, %d rays per vertex\n", path.c_str(), positions.size(),
               mesh.triangles.size(), rays);
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   }
   configure(benchmark::RegisterBenchmark("bake_shadowed", [&](benchmark::State& state) {
     for (auto _ : state)
-      benchmark::DoNotOptimize(bakeShadowed(mesh, albedo, {.degree = 4, .rays = rays, .seed = 1}));
+      benchmark::DoNotOptimize(bakeShadowed(scene, {.degree = 4, .rays = rays, .seed = 1}));
     reportRays(state);
   }));
   return shprt::bench::runWithRatios(

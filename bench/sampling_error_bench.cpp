@@ -83,17 +83,17 @@ int main(int argc, char** argv) {
   const int degree = argc > 2 ? std::atoi(argv[2]) : 4;
   const int referenceRays = argc > 3 ? std::atoi(argv[3]) : 65536;
   const Mesh mesh = loadMesh(path).mesh;
-  const std::vector<Vec3f> albedo(mesh.positions.size(), Vec3f{1, 1, 1});
+  const Scene scene = makeScene(mesh, std::vector<Vec3f>(mesh.positions.size(), Vec3f{1, 1, 1}));
   const TransferCoefficients reference =
-      bakeShadowed(mesh, albedo, {.degree = degree, .rays = referenceRays, .seed = 999}).transfer;
-  const double scale = norm(bakeUnshadowed(mesh, albedo, degree).transfer, nullptr);
+      bakeShadowed(scene, {.degree = degree, .rays = referenceRays, .seed = 999}).transfer;
+  const double scale = norm(bakeUnshadowed(scene, degree).transfer, nullptr);
   std::printf(
       "%s, %zu vertices, degree %d, reference %d rays\n\n| rays | lattice | random |\n|---|---|---|\n",
       path.c_str(), mesh.positions.size(), degree, referenceRays);
   for (const int rays : {16, 64, 256, 1024, 4096}) {
     const TransferCoefficients lattice =
-        bakeShadowed(mesh, albedo, {.degree = degree, .rays = rays, .seed = 1}).transfer;
-    const TransferCoefficients random = bakeRandom(mesh, albedo, degree, rays);
+        bakeShadowed(scene, {.degree = degree, .rays = rays, .seed = 1}).transfer;
+    const TransferCoefficients random = bakeRandom(mesh, scene.albedo, degree, rays);
     std::printf("| %d | %.2g | %.2g |\n", rays, norm(lattice, &reference) / scale,
                 norm(random, &reference) / scale);
     std::fflush(stdout);

@@ -23,11 +23,11 @@ set(tools_may base sh codegen sampling image mesh scene coefficients transfer li
 set(doors
   "OpenMesh/=lib/shprt/mesh/openmesh_import.cpp"
   "OpenImageIO/=lib/shprt/image/.*\\.cpp"
-  "embree=lib/shprt/scene/ray_caster.cpp"
+  "embree=lib/shprt/scene/.*\\.cpp"
   "OpenEXR/=lib/shprt/coefficients/.*"
   "Imath=lib/shprt/coefficients/.*\\.cpp"
   "Imf=lib/shprt/coefficients/.*\\.cpp"
-  "nlohmann/=lib/shprt/.*\\.cpp|lib/shprt/coefficients/json_input\\.h|tools/shprt/.*"
+  "nlohmann/=lib/shprt/.*\\.cpp|lib/shprt/base/json_input\\.h|tools/shprt/.*"
   "tbb/=lib/shprt/base/.*\\.cpp"
   "openssl/=lib/shprt/base/.*\\.cpp"
   "CLI/=tools/shprt/.*"

@@ -21,9 +21,9 @@ double visibleShare(const Bake& bake, std::size_t vertex) {
 }
 
 void expectExactlyUnshadowed(const Mesh& mesh, const std::string& what) {
-  const std::vector<Vec3f> albedo = test::grey(mesh, 0.8f);
-  const Bake shadowed = bakeShadowed(mesh, albedo, {.degree = 4, .rays = 64, .seed = 3});
-  const Bake unshadowed = bakeUnshadowed(mesh, albedo, 4);
+  const Scene scene = test::grey(mesh, 0.8f);
+  const Bake shadowed = bakeShadowed(scene, {.degree = 4, .rays = 64, .seed = 3});
+  const Bake unshadowed = bakeUnshadowed(scene, 4);
   EXPECT_EQ(shadowed.transfer.values, unshadowed.transfer.values) << what;
   EXPECT_EQ(shadowed.statistics.fullyVisible, mesh.positions.size()) << what;
 }
@@ -70,8 +70,7 @@ TEST(Shadowed, FloorAtTheFootOfAWallSeesAQuarterSphere) {
     test::addPatch(corner, {0, 0, -1}, kZ * 2.0, kX, 2);
     test::addPatch(corner, {0, touchingOnly ? -0.7 : 0.0, -1}, kY * 2.0, kZ * 2.0, 2);
     const int degree = 4, rays = 4096;
-    const Bake bake =
-        bakeShadowed(corner, test::grey(corner, 1), {.degree = degree, .rays = rays, .seed = 1});
+    const Bake bake = bakeShadowed(test::grey(corner, 1), {.degree = degree, .rays = rays, .seed = 1});
     const std::size_t vertex = 3;
     ASSERT_EQ(corner.positions[vertex], (Vec3f{0, 0, 0}));
     std::vector<double> expected(static_cast<std::size_t>(coefficientCount(degree))), y(expected.size());
@@ -123,7 +122,7 @@ TEST(Shadowed, DiscAboveAPlane) {
     }
     zonal.push_back(2 * sum * cosine / n / 3);
   }
-  const Bake bake = bakeShadowed(mesh, test::grey(mesh, 1), {.degree = degree, .rays = 16384, .seed = 2});
+  const Bake bake = bakeShadowed(test::grey(mesh, 1), {.degree = degree, .rays = 16384, .seed = 2});
   EXPECT_NEAR(visibleShare(bake, vertex), height * height / (height * height + radius * radius), 1e-3);
   std::vector<double> y(static_cast<std::size_t>(coefficientCount(degree)));
   evaluateSh(degree, kY, y);
@@ -142,7 +141,7 @@ TEST(Shadowed, InsideOfAClosedBoxIsExactlyBlack) {
   for (Vec3f& n : room.normals) n = -n;
   for (Triangle& t : room.triangles) std::swap(t[1], t[2]);
   test::append(room, test::makeIcosphere(1));
-  const Bake bake = bakeShadowed(room, test::grey(room, 1), {.degree = 3, .rays = 256, .seed = 1});
+  const Bake bake = bakeShadowed(test::grey(room, 1), {.degree = 3, .rays = 256, .seed = 1});
   for (const float value : bake.transfer.values) ASSERT_EQ(value, 0);
   EXPECT_EQ(bake.statistics.fullyHidden, room.positions.size());
   EXPECT_EQ(bake.statistics.meanVisibility, 0);
@@ -154,7 +153,7 @@ TEST(Shadowed, GrooveOfAnOpenTerrainLeaksNoLight) {
   Mesh mesh;
   test::addPatch(mesh, {0, 0, -1e4}, kZ * 2e4, Vec3d{std::cos(a), std::sin(a), 0}, 2, 2, kY);
   test::addPatch(mesh, {0, 0, -1e4}, Vec3d{-std::cos(a), std::sin(a), 0}, kZ * 2e4, 2, 2, kY);
-  const Bake bake = bakeShadowed(mesh, test::grey(mesh, 1), {.degree = 2, .rays = 4096, .seed = 1});
+  const Bake bake = bakeShadowed(test::grey(mesh, 1), {.degree = 2, .rays = 4096, .seed = 1});
   // Between two long walls that rise at angle a the cosine-weighted visible share is cos a.
   EXPECT_NEAR(visibleShare(bake, 3), std::cos(a), 2e-3);
 }
@@ -162,13 +161,13 @@ TEST(Shadowed, GrooveOfAnOpenTerrainLeaksNoLight) {
 TEST(Shadowed, BitsDependOnTheSeedAndNotOnTheThreads) {
   Mesh mesh = test::makeIcosphere(3);
   test::append(mesh, test::moved(test::makeIcosphere(3), 0.7, {1.2, 0.9, 0}));
-  const std::vector<Vec3f> albedo = test::grey(mesh, 0.7f);
+  const Scene scene = test::grey(mesh, 0.7f);
   setThreadCount(1);
-  const Bake one = bakeShadowed(mesh, albedo, {.degree = 4, .rays = 100, .seed = 11});
+  const Bake one = bakeShadowed(scene, {.degree = 4, .rays = 100, .seed = 11});
   setThreadCount(2);
-  const Bake two = bakeShadowed(mesh, albedo, {.degree = 4, .rays = 100, .seed = 11});
+  const Bake two = bakeShadowed(scene, {.degree = 4, .rays = 100, .seed = 11});
   setThreadCount(0);
-  const Bake other = bakeShadowed(mesh, albedo, {.degree = 4, .rays = 100, .seed = 12});
+  const Bake other = bakeShadowed(scene, {.degree = 4, .rays = 100, .seed = 12});
   EXPECT_EQ(one.transfer.values, two.transfer.values);
   EXPECT_NE(one.transfer.values, other.transfer.values);
 }
@@ -184,7 +183,7 @@ TEST(Shadowed, SeamsDoNotShow) {
     for (std::uint32_t& corner : mesh.triangles[t]) {
       if (corner == 7) corner = static_cast<std::uint32_t>(count);
     }
-  const Bake bake = bakeShadowed(mesh, test::grey(mesh, 1), {.degree = 4, .rays = 128, .seed = 1});
+  const Bake bake = bakeShadowed(test::grey(mesh, 1), {.degree = 4, .rays = 128, .seed = 1});
   for (int i = 0; i < bake.transfer.rows(); ++i)
     EXPECT_EQ(bake.transfer.row(0, i)[7], bake.transfer.row(0, i)[count]);
   EXPECT_EQ(bake.statistics.samplePoints, count);
@@ -193,13 +192,12 @@ TEST(Shadowed, SeamsDoNotShow) {
 TEST(Shadowed, ReportsProgressToTheEnd) {
   const Mesh mesh = test::makeIcosphere(3);
   std::uint64_t last = 0, total = 0, rays = 0;
-  bakeShadowed(mesh, test::grey(mesh, 1), {.degree = 2, .rays = 16, .seed = 1},
-               [&](const ProgressReport& report) {
-                 EXPECT_GE(report.done, last);
-                 last = report.done;
-                 total = report.total;
-                 rays = report.rays;
-               });
+  bakeShadowed(test::grey(mesh, 1), {.degree = 2, .rays = 16, .seed = 1}, [&](const ProgressReport& report) {
+    EXPECT_GE(report.done, last);
+    last = report.done;
+    total = report.total;
+    rays = report.rays;
+  });
   EXPECT_EQ(last, mesh.positions.size());
   EXPECT_EQ(total, mesh.positions.size());
   EXPECT_EQ(rays, 16 * mesh.positions.size());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shprt/mesh/mesh.h"
+#include "shprt/scene/scene.h"
 
 namespace shprt::test {
 
@@ -98,8 +99,8 @@ inline void append(Mesh& mesh, const Mesh& other) {
   for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
 }
 
-inline std::vector<Vec3f> grey(const Mesh& mesh, float albedo) {
-  return std::vector<Vec3f>(mesh.positions.size(), Vec3f{albedo, albedo, albedo});
+inline Scene grey(const Mesh& mesh, float albedo) {
+  return makeScene(mesh, std::vector<Vec3f>(mesh.positions.size(), Vec3f{albedo, albedo, albedo}));
 }
 
 }  // namespace shprt::test

@@ -18,7 +18,7 @@ constexpr double kY00 = 0.28209479177387814;  // 1 / sqrt(4 pi)
 TEST(Unshadowed, EqualsTheCosineWeightedMeanOfTheBasis) {
   Mesh mesh = test::makeIcosphere(0);
   const int degree = 6;
-  const Bake bake = bakeUnshadowed(mesh, test::grey(mesh, 0.5f), degree);
+  const Bake bake = bakeUnshadowed(test::grey(mesh, 0.5f), degree);
   EXPECT_EQ(bake.transfer.channels, 1);
   for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
     const Frame frame = frameFromNormal(normalize(toDouble(mesh.normals[vertex])));
@@ -39,16 +39,16 @@ TEST(Unshadowed, EqualsTheCosineWeightedMeanOfTheBasis) {
 // A light of constant radiance 1 has the single coefficient sqrt(4 pi); with albedo 1 the surface returns 1.
 TEST(Unshadowed, ReturnsTheRadianceOfAConstantLight) {
   const Mesh mesh = test::makeIcosphere(1);
-  const Bake bake = bakeUnshadowed(mesh, test::grey(mesh, 1), 3);
+  const Bake bake = bakeUnshadowed(test::grey(mesh, 1), 3);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     EXPECT_NEAR(bake.transfer.row(0, 0)[v] / kY00, 1, 1e-7);
 }
 
 TEST(Unshadowed, OddBandsAboveOneVanishAndColourScalesChannels) {
   const Mesh mesh = test::makeIcosphere(0);
-  std::vector<Vec3f> albedo = test::grey(mesh, 1);
-  albedo[3] = {0.25f, 0.5f, 0.75f};
-  const Bake bake = bakeUnshadowed(mesh, albedo, 5);
+  Scene scene = test::grey(mesh, 1);
+  scene.albedo[3] = {0.25f, 0.5f, 0.75f};
+  const Bake bake = bakeUnshadowed(scene, 5);
   ASSERT_EQ(bake.transfer.channels, 3);
   for (int m = -3; m <= 3; ++m) EXPECT_EQ(bake.transfer.row(1, shIndex(3, m))[3], 0);
   // y_{1,1} is sqrt(3/4pi) x, and A_1 / pi is 2/3.

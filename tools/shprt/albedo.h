@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "shprt/mesh/mesh.h"
+#include "shprt/scene/scene.h"
 
 namespace shprt {
-
-inline constexpr float kDefaultAlbedo = 0.8f;
 
 struct AlbedoChoice {
   std::vector<Vec3f> perVertex;

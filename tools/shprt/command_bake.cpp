@@ -65,11 +65,11 @@ void checkMemory(const std::string& path, std::size_t vertices, int degree) {
               "use a lower --degree");
 }
 
-Bake bakeModel(const BakeOptions& options, const Mesh& mesh, const AlbedoChoice& albedo) {
-  if (options.model == "unshadowed") return bakeUnshadowed(mesh, albedo.perVertex, options.shadowed.degree);
+Bake bakeModel(const BakeOptions& options, const Scene& scene) {
+  if (options.model == "unshadowed") return bakeUnshadowed(scene, options.shadowed.degree);
   ProgressBar bar("baking", options.common.quiet);
   const InterruptGuard guard;
-  Bake bake = bakeShadowed(mesh, albedo.perVertex, options.shadowed, bar.callback());
+  Bake bake = bakeShadowed(scene, options.shadowed, bar.callback());
   throwIfInterrupted();
   return bake;
 }
@@ -171,7 +171,7 @@ int runBake(const BakeOptions& options) {
   checkMemory(options.mesh, loaded.mesh.positions.size(), options.shadowed.degree);
   AlbedoChoice albedo = chooseAlbedo(loaded.mesh, options.albedo);
 
-  Bake bake = bakeModel(options, loaded.mesh, albedo);
+  Bake bake = bakeModel(options, makeScene(loaded.mesh, albedo.perVertex));
 
   TransferAsset asset;
   asset.metadata = describeBake(options, loaded, albedo, bake.statistics, loadSeconds);

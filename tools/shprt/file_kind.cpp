@@ -6,8 +6,8 @@
 #include "output.h"
 #include "shprt/base/error.h"
 #include "shprt/base/exr_header.h"
+#include "shprt/base/json_input.h"
 #include "shprt/coefficients/asset_file.h"
-#include "shprt/coefficients/json_input.h"
 
 namespace shprt {
 namespace {

@@ -8,7 +8,7 @@
 #include "shprt/base/error.h"
 #include "shprt/coefficients/asset_layout.h"
 #include "shprt/coefficients/basis_name.h"
-#include "shprt/coefficients/json_input.h"
+#include "shprt/base/json_input.h"
 
 namespace shprt {
 namespace {

@@ -1,7 +1,7 @@
 // The SH basis as JSON files name it, so that a file in another convention is refused and not misread.
 #pragma once
 
-#include "shprt/coefficients/json_input.h"
+#include "shprt/base/json_input.h"
 
 namespace shprt {
 

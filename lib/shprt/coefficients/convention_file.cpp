@@ -5,7 +5,7 @@
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
-#include "shprt/coefficients/json_input.h"
+#include "shprt/base/json_input.h"
 #include "shprt/sh/basis.h"
 
 namespace shprt {

@@ -10,7 +10,7 @@
 #include "shprt/base/file.h"
 #include "shprt/base/vec.h"
 #include "shprt/coefficients/basis_name.h"
-#include "shprt/coefficients/json_input.h"
+#include "shprt/base/json_input.h"
 #include "shprt/sh/basis.h"
 
 namespace shprt {

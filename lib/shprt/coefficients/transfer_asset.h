@@ -43,13 +43,15 @@ struct SourceFile {
 struct AssetMetadata {
   int formatVersion = 1;
   std::string toolVersion;
-  std::string model;  // "unshadowed", "shadowed"
+  std::string model;  // "unshadowed", "shadowed", "interreflected"
   int rays = 0;       // per vertex; 0 where none were traced
   std::uint64_t seed = 0;
   std::vector<SourceFile> sources;
   std::map<std::string, double> seconds;        // spent: "load", "build", "trace", ...
   std::map<std::string, std::uint64_t> counts;  // what the loader found, left out and mended; rays traced
   std::vector<std::string> notes;
+  // A JSON object: which effects the scene was found to call for, and what was skipped and why; "" for none.
+  std::string plan;
 };
 
 // A self-contained asset: mesh and transfer.
@@ -58,6 +60,7 @@ struct TransferAsset {
   std::vector<Vec3f> positions;  // per vertex, in the source's units
   std::vector<Vec3f> normals;
   std::vector<Vec3f> albedo;              // linear Rec.709, as folded into transfer
+  std::vector<Vec3f> emission;            // outgoing radiance that the scene's own lights cause; or empty
   std::vector<Vec2f> textureCoordinates;  // or empty
   std::vector<std::array<std::uint32_t, 3>> triangles;
   AssetMetadata metadata;

@@ -43,6 +43,7 @@ struct Mesh {
   std::vector<Vec3f> positions;                // per render vertex, file coordinates
   std::vector<Vec3f> normals;                  // per render vertex, unit length
   std::vector<Vec2f> textureCoordinates;       // per render vertex, or empty when the file has none
+  std::vector<Vec3f> colours;                  // per render vertex as the file gives them, in [0,1]; or empty
   std::vector<std::uint32_t> vertexMaterials;  // per render vertex, index into materials
   std::vector<Triangle> triangles;             // never degenerate
   std::vector<Material> materials;             // at least one

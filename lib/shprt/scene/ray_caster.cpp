@@ -34,7 +34,7 @@ void initContext(QueryContext* context) {
 
 // What the filter needs to know about the rays under way. Embree hands the context back by pointer, so ours
 // begins with its.
-struct OcclusionContext {
+struct FilterContext {
   QueryContext base;
   const IgnoredTriangles* ignored;
 };
@@ -49,8 +49,8 @@ bool contains(std::span<const std::uint32_t> sorted, std::uint32_t number) {
 }
 
 // Rejects hits on triangles that the origin lies on.
-void filterOcclusion(const RTCFilterFunctionNArguments* arguments) {
-  const IgnoredTriangles& ignored = *reinterpret_cast<const OcclusionContext*>(arguments->context)->ignored;
+void filterIgnored(const RTCFilterFunctionNArguments* arguments) {
+  const IgnoredTriangles& ignored = *reinterpret_cast<const FilterContext*>(arguments->context)->ignored;
   for (unsigned lane = 0; lane < arguments->N; ++lane) {
     if (arguments->valid[lane] != -1) continue;
     const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
@@ -60,11 +60,8 @@ void filterOcclusion(const RTCFilterFunctionNArguments* arguments) {
 }
 
 template <int N, typename Packet>
-std::uint32_t tracePacket(RTCScene scene, OcclusionContext& context, Vec3f origin, const RayPacket& rays,
-                          int first, std::uint32_t active,
-                          void (*trace)(const int*, RTCScene, OcclusionContext&, Packet*)) {
-  alignas(64) int valid[N];
-  alignas(64) Packet packet;
+void fillPacket(const FilterContext& context, Vec3f origin, const RayPacket& rays, int first,
+                std::uint32_t active, int* valid, Packet& packet) {
   for (int lane = 0; lane < N; ++lane) {
     valid[lane] = (active >> (first + lane)) & 1u ? -1 : 0;
     packet.org_x[lane] = origin.x;
@@ -80,6 +77,15 @@ std::uint32_t tracePacket(RTCScene scene, OcclusionContext& context, Vec3f origi
     packet.id[lane] = 0;
     packet.flags[lane] = 0;
   }
+}
+
+template <int N, typename Packet>
+std::uint32_t occludedPacket(RTCScene scene, FilterContext& context, Vec3f origin, const RayPacket& rays,
+                             int first, std::uint32_t active,
+                             void (*trace)(const int*, RTCScene, FilterContext&, Packet*)) {
+  alignas(64) int valid[N];
+  alignas(64) Packet packet;
+  fillPacket<N>(context, origin, rays, first, active, valid, packet);
   trace(valid, scene, context, &packet);
   std::uint32_t hit = 0;
   for (int lane = 0; lane < N; ++lane) {
@@ -88,45 +94,101 @@ std::uint32_t tracePacket(RTCScene scene, OcclusionContext& context, Vec3f origi
   return hit;
 }
 
+template <int N, typename Packet>
+std::uint32_t nearestPacket(RTCScene scene, FilterContext& context, Vec3f origin, const RayPacket& rays,
+                            int first, std::uint32_t active, RayPacketHits& hits,
+                            void (*trace)(const int*, RTCScene, FilterContext&, Packet*)) {
+  alignas(64) int valid[N];
+  alignas(64) Packet packet;
+  fillPacket<N>(context, origin, rays, first, active, valid, packet.ray);
+  for (int lane = 0; lane < N; ++lane) {
+    packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+  }
+  trace(valid, scene, context, &packet);
+  std::uint32_t hit = 0;
+  for (int lane = 0; lane < N; ++lane) {
+    if (!valid[lane] || packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
+    hit |= 1u << (first + lane);
+    hits.triangle[first + lane] = packet.hit.primID[lane];
+    hits.u[first + lane] = packet.hit.u[lane];
+    hits.v[first + lane] = packet.hit.v[lane];
+  }
+  return hit;
+}
+
 // The calls that Embree 3 and 4 spell differently.
 #if RTC_VERSION_MAJOR >= 4
-RTCOccludedArguments occludedArguments(OcclusionContext& context) {
+RTCOccludedArguments occludedArguments(FilterContext& context) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   arguments.context = &context.base;
   return arguments;
 }
-void traceSixteen(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay16* packet) {
+RTCIntersectArguments intersectArguments(FilterContext& context) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context.base;
+  return arguments;
+}
+void occludedSixteen(const int* valid, RTCScene scene, FilterContext& context, RTCRay16* packet) {
   RTCOccludedArguments arguments = occludedArguments(context);
   rtcOccluded16(valid, scene, packet, &arguments);
 }
-void traceEight(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay8* packet) {
+void occludedEight(const int* valid, RTCScene scene, FilterContext& context, RTCRay8* packet) {
   RTCOccludedArguments arguments = occludedArguments(context);
   rtcOccluded8(valid, scene, packet, &arguments);
 }
-void traceFour(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay4* packet) {
+void occludedFour(const int* valid, RTCScene scene, FilterContext& context, RTCRay4* packet) {
   RTCOccludedArguments arguments = occludedArguments(context);
   rtcOccluded4(valid, scene, packet, &arguments);
 }
-void intersectOne(RTCScene scene, RTCRayHit* rayHit) {
-  rtcIntersect1(scene, rayHit);
+void nearestSixteen(const int* valid, RTCScene scene, FilterContext& context, RTCRayHit16* packet) {
+  RTCIntersectArguments arguments = intersectArguments(context);
+  rtcIntersect16(valid, scene, packet, &arguments);
+}
+void nearestEight(const int* valid, RTCScene scene, FilterContext& context, RTCRayHit8* packet) {
+  RTCIntersectArguments arguments = intersectArguments(context);
+  rtcIntersect8(valid, scene, packet, &arguments);
+}
+void nearestFour(const int* valid, RTCScene scene, FilterContext& context, RTCRayHit4* packet) {
+  RTCIntersectArguments arguments = intersectArguments(context);
+  rtcIntersect4(valid, scene, packet, &arguments);
+}
+void nearestOne(RTCScene scene, FilterContext& context, RTCRayHit* rayHit) {
+  RTCIntersectArguments arguments = intersectArguments(context);
+  rtcIntersect1(scene, rayHit, &arguments);
 }
 #else
-void traceSixteen(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay16* packet) {
+void occludedSixteen(const int* valid, RTCScene scene, FilterContext& context, RTCRay16* packet) {
   rtcOccluded16(valid, scene, &context.base, packet);
 }
-void traceEight(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay8* packet) {
+void occludedEight(const int* valid, RTCScene scene, FilterContext& context, RTCRay8* packet) {
   rtcOccluded8(valid, scene, &context.base, packet);
 }
-void traceFour(const int* valid, RTCScene scene, OcclusionContext& context, RTCRay4* packet) {
+void occludedFour(const int* valid, RTCScene scene, FilterContext& context, RTCRay4* packet) {
   rtcOccluded4(valid, scene, &context.base, packet);
 }
-void intersectOne(RTCScene scene, RTCRayHit* rayHit) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, rayHit);
+void nearestSixteen(const int* valid, RTCScene scene, FilterContext& context, RTCRayHit16* packet) {
+  rtcIntersect16(valid, scene, &context.base, packet);
+}
+void nearestEight(const int* valid, RTCScene scene, FilterContext& context, RTCRayHit8* packet) {
+  rtcIntersect8(valid, scene, &context.base, packet);
+}
+void nearestFour(const int* valid, RTCScene scene, FilterContext& context, RTCRayHit4* packet) {
+  rtcIntersect4(valid, scene, &context.base, packet);
+}
+void nearestOne(RTCScene scene, FilterContext& context, RTCRayHit* rayHit) {
+  rtcIntersect1(scene, &context.base, rayHit);
 }
 #endif
+
+FilterContext makeContext(const IgnoredTriangles& ignored) {
+  FilterContext context;
+  initContext(&context.base);
+  context.ignored = &ignored;
+  return context;
+}
 
 struct NearQuery {
   Vec3d point;
@@ -215,7 +277,8 @@ RayCaster::RayCaster(std::span<const Vec3f> positions,
     std::memcpy(indices, triangles.data(), triangles.size_bytes());
     impl_->positions = static_cast<const Vec3f*>(vertices);
     impl_->triangles = static_cast<const std::array<std::uint32_t, 3>*>(indices);
-    rtcSetGeometryOccludedFilterFunction(geometry, filterOcclusion);
+    rtcSetGeometryOccludedFilterFunction(geometry, filterIgnored);
+    rtcSetGeometryIntersectFilterFunction(geometry, filterIgnored);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(impl_->scene, geometry);
   }
@@ -231,22 +294,42 @@ RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
 std::uint32_t RayCaster::occluded(Vec3f origin, const RayPacket& rays, std::uint32_t active,
                                   const IgnoredTriangles& ignored) const {
-  OcclusionContext context;
-  initContext(&context.base);
-  context.ignored = &ignored;
+  FilterContext context = makeContext(ignored);
   std::uint32_t hit = 0;
   switch (impl_->nativeWidth) {
     case 16:
-      hit = tracePacket<16, RTCRay16>(impl_->scene, context, origin, rays, 0, active, traceSixteen);
+      hit = occludedPacket<16, RTCRay16>(impl_->scene, context, origin, rays, 0, active, occludedSixteen);
       break;
     case 8:
       for (int first = 0; first < kRayPacketSize; first += 8) {
-        hit |= tracePacket<8, RTCRay8>(impl_->scene, context, origin, rays, first, active, traceEight);
+        hit |= occludedPacket<8, RTCRay8>(impl_->scene, context, origin, rays, first, active, occludedEight);
       }
       break;
     default:
       for (int first = 0; first < kRayPacketSize; first += 4) {
-        hit |= tracePacket<4, RTCRay4>(impl_->scene, context, origin, rays, first, active, traceFour);
+        hit |= occludedPacket<4, RTCRay4>(impl_->scene, context, origin, rays, first, active, occludedFour);
+      }
+  }
+  return hit;
+}
+
+std::uint32_t RayCaster::nearest(Vec3f origin, const RayPacket& rays, std::uint32_t active,
+                                 const IgnoredTriangles& ignored, RayPacketHits& hits) const {
+  FilterContext context = makeContext(ignored);
+  RTCScene scene = impl_->scene;
+  std::uint32_t hit = 0;
+  switch (impl_->nativeWidth) {
+    case 16:
+      hit = nearestPacket<16, RTCRayHit16>(scene, context, origin, rays, 0, active, hits, nearestSixteen);
+      break;
+    case 8:
+      for (int first = 0; first < kRayPacketSize; first += 8) {
+        hit |= nearestPacket<8, RTCRayHit8>(scene, context, origin, rays, first, active, hits, nearestEight);
+      }
+      break;
+    default:
+      for (int first = 0; first < kRayPacketSize; first += 4) {
+        hit |= nearestPacket<4, RTCRayHit4>(scene, context, origin, rays, first, active, hits, nearestFour);
       }
   }
   return hit;
@@ -268,7 +351,9 @@ RayHit RayCaster::intersect(Vec3f origin, Vec3f direction) const {
                 .flags = 0};
   rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  intersectOne(impl_->scene, &rayHit);
+  const IgnoredTriangles none{};
+  FilterContext context = makeContext(none);
+  nearestOne(impl_->scene, context, &rayHit);
   if (rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {rayHit.ray.tfar, rayHit.hit.primID, rayHit.hit.u, rayHit.hit.v};
 }

@@ -19,6 +19,12 @@ struct RayHit {
 
 inline constexpr int kRayPacketSize = 16;
 
+// Nearest hits of a packet, one lane each; only lanes that hit something hold anything.
+struct RayPacketHits {
+  std::uint32_t triangle[kRayPacketSize];
+  float u[kRayPacketSize], v[kRayPacketSize];
+};
+
 // Unit directions of rays from one common origin, one lane each; consecutive in memory.
 struct RayPacket {
   const float* x;
@@ -50,6 +56,11 @@ class RayCaster {
   // ignored ones, lies along the ray at a distance of at least ignored.distance.
   std::uint32_t occluded(Vec3f origin, const RayPacket& rays, std::uint32_t active,
                          const IgnoredTriangles& ignored) const;
+
+  // The same rays to the nearest triangle that is not ignored: fills hits and returns a bit per lane that has
+  // one.
+  std::uint32_t nearest(Vec3f origin, const RayPacket& rays, std::uint32_t active,
+                        const IgnoredTriangles& ignored, RayPacketHits& hits) const;
 
   // Nearest hit along one ray, for pictures. direction of any nonzero length.
   RayHit intersect(Vec3f origin, Vec3f direction) const;

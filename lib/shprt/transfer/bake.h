@@ -1,37 +1,56 @@
-// The transport models: mesh in, transfer coefficients out.
+// The transport models: scene in, transfer coefficients out.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "shprt/base/progress.h"
+#include "shprt/base/vec.h"
 #include "shprt/coefficients/transfer_asset.h"
-#include "shprt/mesh/mesh.h"
+#include "shprt/scene/scene.h"
 
 namespace shprt {
+
+// What one bounce adds, over all receivers.
+struct BounceStatistics {
+  double norm = 0;  // RMS over receivers and channels of the 2-norm of what it adds, over that of the
+                    // unshadowed transfer; per unit albedo
+  double seconds = 0;
+};
 
 struct BakeStatistics {
   std::uint64_t rays = 0;         // rays traced
   double buildSeconds = 0;        // acceleration structure
   double traceSeconds = 0;        // rays and accumulation
+  double bounceSeconds = 0;       // all bounces
   std::uint64_t embreeBytes = 0;  // most memory that Embree held at once
-  double meanVisibility = 1;      // mean over vertices of the visible share of the cosine-weighted hemisphere
-  std::uint64_t fullyVisible = 0;  // vertices
+  double meanVisibility =
+      1;  // mean over baked vertices of the visible share of the cosine-weighted hemisphere
+  std::uint64_t fullyVisible = 0;  // receivers' vertices
   std::uint64_t fullyHidden = 0;
-  std::uint64_t samplePoints = 0;  // distinct (position, normal) that were baked
+  std::uint64_t samplePoints = 0;         // distinct (position, normal) that were baked
+  std::uint64_t buriedVertices = 0;       // inside other geometry; filled from their neighbours
+  std::uint64_t hits = 0;                 // rays that ended on a surface
+  std::uint64_t hitBytes = 0;             // memory that held them
+  std::uint64_t retracedPoints = 0;       // whose rays were traced anew for every bounce, for lack of memory
+  std::vector<BounceStatistics> bounces;  // in order
+  double spectralRadius =
+      0;                    // the ratio of the last bounces' norms, largest over channels; 0 without bounces
+  double remainder = 0;     // bound on what further bounces would add, in the units of BounceStatistics::norm
+  bool tailSummed = false;  // whether that was added as a geometric series
 };
 
+// One column per vertex of the scene. Blockers' columns are zero.
 struct Bake {
   TransferCoefficients transfer;
+  std::vector<Vec3f> emission;  // per vertex: outgoing radiance that the scene's own lights cause; or empty
   BakeStatistics statistics;
 };
 
-// Transfer without any shadow, from the normal alone: (albedo/pi) A_l y_lm(n). Exact to float.
-// albedo has one entry per vertex, linear Rec.709.
-Bake bakeUnshadowed(const Mesh& mesh, std::span<const Vec3f> albedo, int degree);
+// Transfer without any shadow, from the normal alone: (albedo/pi) A_l y_lm(n). Exact to float. Emission is a
+// vertex's own.
+Bake bakeUnshadowed(const Scene& scene, int degree);
 
 struct ShadowedOptions {
   int degree = 4;
@@ -39,8 +58,25 @@ struct ShadowedOptions {
   std::uint64_t seed = 1;
 };
 
-// Transfer with shadows cast by the mesh on itself, by cosine-distributed rays (see shadowed.cpp).
-Bake bakeShadowed(const Mesh& mesh, std::span<const Vec3f> albedo, const ShadowedOptions& options,
-                  const ProgressCallback& progress = {});
+// Transfer with shadows that all objects cast, by cosine-distributed rays (see shadowed.cpp). The scene must
+// not emit: what its lights reach only bakeInterreflected knows.
+Bake bakeShadowed(const Scene& scene, const ShadowedOptions& options, const ProgressCallback& progress = {});
+
+struct InterreflectedOptions {
+  int degree = 4;
+  int rays = 256;  // per vertex
+  std::uint64_t seed = 1;
+  // How often light may bounce between surfaces before it reaches a vertex; 0 is shadowed transfer with
+  // emitters seen directly. Without a number: until what remains is below `error`, and then the rest as a
+  // geometric series.
+  std::optional<int> bounces;
+  double error = 0.01;  // in the units of BounceStatistics::norm
+  std::uint64_t hitMemory = std::uint64_t{2}
+                            << 30;  // bytes of hits to keep; rays beyond are traced anew for every bounce
+};
+
+// Transfer with shadows and light that bounces between diffuse surfaces (see interreflected.cpp).
+Bake bakeInterreflected(const Scene& scene, const InterreflectedOptions& options,
+                        const ProgressCallback& progress = {});
 
 }  // namespace shprt

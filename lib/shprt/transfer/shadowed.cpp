@@ -117,32 +117,39 @@ class VertexBaker {
 
 }  // namespace
 
-Bake bakeShadowed(const Mesh& mesh, std::span<const Vec3f> albedo, const ShadowedOptions& options,
-                  const ProgressCallback& progress) {
-  assert(albedo.size() == mesh.positions.size() && !mesh.triangles.empty());
-  assert(options.rays >= 1 && options.degree >= 0);
+Bake bakeShadowed(const Scene& scene, const ShadowedOptions& options, const ProgressCallback& progress) {
+  const Mesh& mesh = scene.mesh;
+  assert(scene.albedo.size() == mesh.positions.size() && !mesh.triangles.empty());
+  assert(options.rays >= 1 && options.degree >= 0 && !scene.emits());
   const auto buildStart = Clock::now();
   const SurfaceTopology topology(mesh);
   const RayCaster caster(topology.positions(), topology.triangles());
   Bake bake;
-  bake.transfer = makeTransfer(albedo, options.degree);
+  bake.transfer = makeTransfer(scene.albedo, options.degree);
   bake.statistics.buildSeconds = secondsSince(buildStart);
 
   const auto traceStart = Clock::now();
   const FibonacciHemisphere lattice(options.rays, kRayPacketSize);
   const UnshadowedTransfer unshadowed(options.degree);
-  std::atomic<std::uint64_t> done = 0, rays = 0, visibleRays = 0, fullyVisible = 0, fullyHidden = 0;
+  std::atomic<std::uint64_t> done = 0, rays = 0, visibleRays = 0, baked = 0, points = 0, fullyVisible = 0,
+                             fullyHidden = 0;
   std::mutex progressMutex;
   parallelForBlocks(topology.pointCount(), 64, [&](std::size_t begin, std::size_t end) {
     VertexBaker baker(topology, caster, lattice, unshadowed, options);
     for (std::size_t point = begin; point < end; ++point) {
-      const int visible = baker.bake(point);
       const auto vertices = topology.verticesOfPoint(point);
+      const auto receivers = static_cast<std::uint64_t>(std::count_if(
+          vertices.begin(), vertices.end(), [&](std::uint32_t vertex) { return scene.isReceiver(vertex); }));
+      if (receivers == 0) continue;
+      const int visible = baker.bake(point);
       for (const std::uint32_t vertex : vertices)
-        storeTransfer(baker.transfer(), albedo[vertex], vertex, bake.transfer);
-      visibleRays += static_cast<std::uint64_t>(visible) * vertices.size();
-      if (visible == options.rays) fullyVisible += vertices.size();
-      if (visible == 0) fullyHidden += vertices.size();
+        if (scene.isReceiver(vertex))
+          storeTransfer(baker.transfer(), scene.albedo[vertex], vertex, bake.transfer);
+      ++points;
+      baked += receivers;
+      visibleRays += static_cast<std::uint64_t>(visible) * receivers;
+      if (visible == options.rays) fullyVisible += receivers;
+      if (visible == 0) fullyHidden += receivers;
     }
     rays += baker.raysTraced();
     done += end - begin;
@@ -155,11 +162,11 @@ Bake bakeShadowed(const Mesh& mesh, std::span<const Vec3f> albedo, const Shadowe
   statistics.traceSeconds = secondsSince(traceStart);
   statistics.embreeBytes = caster.peakMemory();
   statistics.rays = rays;
-  statistics.meanVisibility = static_cast<double>(visibleRays) / (static_cast<double>(options.rays) *
-                                                                  static_cast<double>(mesh.positions.size()));
+  statistics.meanVisibility =
+      static_cast<double>(visibleRays) / (static_cast<double>(options.rays) * static_cast<double>(baked));
   statistics.fullyVisible = fullyVisible;
   statistics.fullyHidden = fullyHidden;
-  statistics.samplePoints = topology.pointCount();
+  statistics.samplePoints = points;
   return bake;
 }
 

@@ -43,4 +43,13 @@ void storeTransfer(std::span<const double> transfer, Vec3f albedo, std::size_t v
     }
 }
 
+std::vector<Vec3f> ownEmission(const Scene& scene) {
+  std::vector<Vec3f> emission(scene.mesh.positions.size());
+  for (std::uint32_t vertex = 0; vertex < emission.size(); ++vertex) {
+    if (scene.isReceiver(vertex))
+      emission[vertex] = scene.materials[scene.mesh.vertexMaterials[vertex]].emission;
+  }
+  return emission;
+}
+
 }  // namespace shprt

@@ -7,6 +7,7 @@
 
 #include "shprt/base/vec.h"
 #include "shprt/coefficients/transfer_asset.h"
+#include "shprt/scene/scene.h"
 
 namespace shprt {
 
@@ -29,5 +30,8 @@ TransferCoefficients makeTransfer(std::span<const Vec3f> albedo, int degree);
 // Writes albedo times transfer (cosine-weighted means, per unit albedo) for one vertex.
 void storeTransfer(std::span<const double> transfer, Vec3f albedo, std::size_t vertex,
                    TransferCoefficients& coefficients);
+
+// What each vertex of a receiver sends out by itself, blockers zero.
+std::vector<Vec3f> ownEmission(const Scene& scene);
 
 }  // namespace shprt

@@ -1,4 +1,4 @@
-#include "shprt/coefficients/json_input.h"
+#include "shprt/base/json_input.h"
 
 #include <algorithm>
 #include <cmath>
