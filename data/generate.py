@@ -3,9 +3,12 @@
 
 knot.ply      a (2,3) torus knot over a round floor; binary PLY with normals, one component grey
 courtyard.obj a small coloured courtyard, open above: walls, steps, a column; OBJ with MTL, hard edges, quads
+cornell.json  a room of white, red and green walls, open at the front, with two boxes (one mesh, placed twice)
+              and a panel of light under the ceiling; cornell_*.obj with cornell.mtl
 sky.hdr       a clear sky with a small bright sun over brown ground, 256 x 128 latitude-longitude, RGBE
 studio.hdr    three soft coloured boxes in a dark room, 128 x 64
 """
+import json
 import math
 import os
 import struct
@@ -174,11 +177,53 @@ def courtyard():
             scene.lines.append("f " + " ".join(str(scene.vertex(p)) for p in q))
     scene.lines.append("f " + " ".join(str(scene.vertex(ring(-k, 0, height))) for k in range(sides)))  # the column's flat top
     scene.write("courtyard.obj", "courtyard.mtl")
-    with open(path("courtyard.mtl"), "w") as f:
+    write_mtl("courtyard.mtl", (("paving", (0.55, 0.52, 0.48)), ("red_wall", (0.63, 0.11, 0.08)),
+                                ("blue_wall", (0.12, 0.22, 0.55)), ("plaster", (0.75, 0.73, 0.68)),
+                                ("stone", (0.6, 0.6, 0.6))))
+
+
+def write_mtl(name, materials):
+    with open(path(name), "w") as f:
         f.write("# made by data/generate.py\n")
-        for name, kd in (("paving", (0.55, 0.52, 0.48)), ("red_wall", (0.63, 0.11, 0.08)),
-                         ("blue_wall", (0.12, 0.22, 0.55)), ("plaster", (0.75, 0.73, 0.68)), ("stone", (0.6, 0.6, 0.6))):
-            f.write(f"newmtl {name}\nKd {kd[0]} {kd[1]} {kd[2]}\n")
+        for material, kd in materials:
+            f.write(f"newmtl {material}\nKd {kd[0]} {kd[1]} {kd[2]}\n")
+
+
+def cornell():
+    """Two units wide, high and deep, standing on y = 0 around the y axis; the front, towards +z, is open."""
+    room, cells = Obj(), 28
+    room.material("white")
+    room.patch((-1, 0, 1), (2, 0, 0), (0, 0, -2), cells, cells)    # floor
+    room.patch((-1, 2, -1), (2, 0, 0), (0, 0, 2), cells, cells)    # ceiling
+    room.patch((-1, 0, -1), (2, 0, 0), (0, 2, 0), cells, cells)    # back
+    room.material("red")
+    room.patch((-1, 0, 1), (0, 0, -2), (0, 2, 0), cells, cells)    # left, facing +x
+    room.material("green")
+    room.patch((1, 0, -1), (0, 0, 2), (0, 2, 0), cells, cells)     # right, facing -x
+    room.write("cornell_room.obj", "cornell.mtl")
+    box = Obj()
+    box.material("white")
+    box.box((-0.5, 0, -0.5), (0.5, 1, 0.5), 1 / 12)
+    box.write("cornell_box.obj", "cornell.mtl")
+    panel = Obj()
+    panel.material("lamp")
+    panel.patch((-0.5, 0, -0.5), (1, 0, 0), (0, 0, 1), 8, 8)       # facing down
+    panel.write("cornell_panel.obj", "cornell.mtl")
+    write_mtl("cornell.mtl", (("white", (0.73, 0.73, 0.73)), ("red", (0.63, 0.06, 0.05)), ("green", (0.14, 0.45, 0.09)),
+                              ("lamp", (0.78, 0.78, 0.78))))
+    turned = lambda degrees: {"axis": [0, 1, 0], "degrees": degrees}
+    objects = [
+        {"name": "room", "file": "cornell_room.obj"},
+        {"name": "tall-box", "file": "cornell_box.obj",
+         "transform": {"scale": [0.56, 1.2, 0.56], "rotate": turned(18), "translate": [-0.34, 0, -0.32]}},
+        {"name": "short-box", "file": "cornell_box.obj",
+         "transform": {"scale": [0.56, 0.58, 0.56], "rotate": turned(-17), "translate": [0.36, 0, 0.34]}},
+        {"name": "panel", "file": "cornell_panel.obj",
+         "transform": {"scale": [0.6, 1, 0.5], "translate": [0, 1.98, 0]},
+         "material": {"emission": [17, 12, 5]}}]
+    with open(path("cornell.json"), "w") as f:
+        rows = ",\n".join("    " + json.dumps(entry) for entry in objects)
+        f.write('{\n  "$schema": "../docs/scene.schema.json",\n  "objects": [\n' + rows + "\n  ]\n}\n")
 
 
 def write_hdr(name, width, height, radiance):
@@ -262,5 +307,6 @@ def studio():
 if __name__ == "__main__":
     knot()
     courtyard()
+    cornell()
     sky()
     studio()

@@ -42,8 +42,7 @@ TEST(Obj, CommentsDoNotContinueAndAreNoColours) {
       loadText("comment.obj", "# C:\\models\\\nv 0 0 0 # a b c\nv 1 0 0\nv 0 1 0\nf 1 2 3 # f 9 9 9\n");
   EXPECT_EQ(mesh.triangles.size(), 1u);
   EXPECT_TRUE(mesh.report.notes.empty());
-  EXPECT_TRUE(
-      hasNote(loadText("colour.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "colours of 1 vertex"));
+  EXPECT_TRUE(mesh.colours.empty());
 }
 
 TEST(Obj, CornersKeepWhatTheirNeighboursLack) {
@@ -142,7 +141,7 @@ TEST(Ply, SaysWhatItPassesOver) {
                        "vertex_index\nproperty int flags\nelement edge 1\nproperty int a\nend_header\n"
                        "0 0 0 9 1\n1 0 0 9 1\n0 1 0 9 1\n3 0 1 2 7\n5\n3 0 2 1 7\n");
   EXPECT_EQ(mesh.report.sourceFaces, 1u);
-  EXPECT_TRUE(hasNote(mesh, "vertex colours ignored"));
+  EXPECT_TRUE(mesh.colours.empty());  // red alone is none
   EXPECT_TRUE(hasNote(mesh, "properties of element 'vertex' ignored: red, quality"));
   EXPECT_TRUE(hasNote(mesh, "properties of element 'face' ignored: flags"));
   EXPECT_TRUE(hasNote(mesh, "element 'edge' (1 record) ignored"));
@@ -173,7 +172,10 @@ TEST(Off, ReadsEveryCombinationOfItsPrefix) {
         EXPECT_EQ(mesh.normals[0], (Vec3f{0, 0, normal ? -1.0f : 1.0f}));
         ASSERT_EQ(mesh.textureCoordinates.size(), texture ? 3u : 0u);
         for (const Vec2f& t : mesh.textureCoordinates) EXPECT_EQ(t, (Vec2f{0.5f, 0.25f}));
-        EXPECT_TRUE(hasNote(mesh, "(colours) ignored"));
+        ASSERT_EQ(mesh.colours.size(), colour ? 3u : 0u);
+        for (const Vec3f& c : mesh.colours) EXPECT_EQ(c, (Vec3f{1, 0, 0}));
+        EXPECT_EQ(mesh.coloursAreIntegers, colour);
+        EXPECT_TRUE(hasNote(mesh, "(colours of faces) ignored"));
       }
 }
 

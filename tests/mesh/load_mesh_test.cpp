@@ -89,7 +89,7 @@ TEST(LoadMesh, ReadsMaterialsAndTheirQuirks) {
   EXPECT_FALSE(mesh.materials[2].hasDiffuse);
   EXPECT_EQ(loaded.sources.size(), 2u);
   EXPECT_TRUE(test::hasNote(mesh, "clamped"));
-  EXPECT_TRUE(test::hasNote(mesh, "my wood.png"));
+  EXPECT_TRUE(test::hasNote(mesh, "options of map_Kd of 'wood' ignored"));
   EXPECT_TRUE(test::hasNote(mesh, "'none' is defined nowhere"));
 }
 

@@ -5,17 +5,34 @@
 #include <cstdint>
 #include <exception>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 
 namespace shprt {
+namespace {
+
+// Of two values for one field the parser would silently keep the last.
+class DuplicateField : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace
+
 nlohmann::json parseJson(std::string_view text) {
+  using Event = nlohmann::json::parse_event_t;
   // Far deeper than any file means; what is deeper would overflow the stack where it is written again.
   constexpr int kDeepest = 100;
-  return nlohmann::json::parse(text, [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+  std::vector<std::set<std::string>> open;  // the fields so far of every object that is not closed yet
+  return nlohmann::json::parse(text, [&](int depth, Event event, nlohmann::json& parsed) {
     if (depth > kDeepest) throw std::length_error("nested too deeply");
+    if (event == Event::object_start) open.emplace_back();
+    if (event == Event::object_end) open.pop_back();
+    if (event == Event::key && !open.back().insert(parsed.get<std::string>()).second)
+      throw DuplicateField(parsed.get<std::string>());
     return true;
   });
 }
@@ -36,6 +53,10 @@ JsonOutline outlineJson(const std::filesystem::path& path) {
         nlohmann::json::parse(file, [&](int depth, Event event, nlohmann::json& parsed) {
           if (depth != 1) return depth < 1;
           if (event == Event::key) key = parsed.get<std::string>();
+          if (event == Event::key && key == "objects") {
+            outline.hasObjects = true;
+            throw Enough{};
+          }
           if (event == Event::value && key == "format" && parsed.is_string()) {
             outline.format = parsed.get<std::string>();
             throw Enough{};
@@ -67,6 +88,11 @@ nlohmann::json readJsonObject(const std::filesystem::path& path) {
                 "is not valid JSON at line " + std::to_string(line) + ", column " +
                     std::to_string(at - lineStart + 1),
                 "mend the syntax there");
+  } catch (const DuplicateField& field) {
+    throw Error(
+        path.string(),
+        std::string("gives the field '") + std::string(field.what()).substr(0, 40) + "' twice in one object",
+        "keep one of them");
   } catch (const std::length_error&) {
     throw Error(path.string(), "is JSON nested more deeply than any that is read here");
   } catch (const nlohmann::json::exception&) {
@@ -83,10 +109,12 @@ JsonObject::JsonObject(std::string file, std::string place, const nlohmann::json
 }
 
 void JsonObject::fail(std::string_view field, const std::string& problem, const std::string& remedy) const {
-  const std::string name = place_.empty()  ? std::string(field)
-                           : field.empty() ? place_
-                                           : place_ + "." + std::string(field);
-  throw Error(file_, name + " " + problem, remedy);
+  throw Error(file_, placeOf(field) + " " + problem, remedy);
+}
+
+std::string JsonObject::placeOf(std::string_view field) const {
+  if (field.empty()) return place_;
+  return place_.empty() ? std::string(field) : place_ + "." + std::string(field);
 }
 
 const nlohmann::json& JsonObject::field(std::string_view name) const {
@@ -104,6 +132,12 @@ double JsonObject::number(std::string_view name) const {
   const nlohmann::json& value = field(name);
   if (!value.is_number() || !std::isfinite(value.get<double>())) fail(name, "is no finite number");
   return value.get<double>();
+}
+
+bool JsonObject::boolean(std::string_view name) const {
+  const nlohmann::json& value = field(name);
+  if (!value.is_boolean()) fail(name, "is neither true nor false");
+  return value.get<bool>();
 }
 
 std::int64_t JsonObject::integer(std::string_view name) const {
@@ -150,7 +184,7 @@ std::vector<std::array<double, 3>> JsonObject::triples(std::string_view name) co
 }
 
 JsonObject JsonObject::object(std::string_view name) const {
-  return {file_, place_.empty() ? std::string(name) : place_ + "." + std::string(name), field(name)};
+  return {file_, placeOf(name), field(name)};
 }
 
 std::vector<std::string> JsonObject::names() const {

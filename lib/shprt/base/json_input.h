@@ -13,14 +13,16 @@
 
 namespace shprt {
 
-// JSON nested at most 100 deep. Throws what nlohmann-json throws, and std::length_error.
+// JSON nested at most 100 deep, no field of an object given twice. Throws what nlohmann-json throws,
+// std::length_error and another std::runtime_error.
 nlohmann::json parseJson(std::string_view text);
 
 // What a file is, as far as its top level tells.
 struct JsonOutline {
-  bool object = false;     // begins like a JSON object
-  std::string format;      // its "format", where that is a text
-  bool hasLights = false;  // has a list "lights"
+  bool object = false;      // begins like a JSON object
+  std::string format;       // its "format", where that is a text
+  bool hasLights = false;   // has a list "lights"
+  bool hasObjects = false;  // has a field "objects"
 };
 // Reads no further than it must. A file that is missing, no JSON, or damaged before anything was found has
 // the outline of nothing but `object`.
@@ -46,7 +48,11 @@ class JsonObject {
   std::vector<std::array<double, 3>> triples(std::string_view name) const;
   JsonObject object(std::string_view name) const;
 
+  bool boolean(std::string_view name) const;
+
   std::vector<std::string> names() const;
+  // What the field is in the file, for messages of others: "objects[2].transform".
+  std::string placeOf(std::string_view field) const;
 
   // Throws Error when the object has any other field.
   void allowOnly(std::initializer_list<std::string_view> fields) const;

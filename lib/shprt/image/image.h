@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "shprt/base/vec.h"
+#include "shprt/image/colour_space.h"
 
 namespace shprt {
 
@@ -37,8 +39,9 @@ struct LoadedImage {
 
 // Reads the first image of a file. 8- and 16-bit integer pictures are decoded from sRGB; one channel serves
 // all three; alpha and further channels are ignored, with a note. NaN and infinities are kept for the caller
-// to judge. Checks the header against the file's size before allocating. Throws Error.
-LoadedImage loadImage(const std::filesystem::path& path);
+// to judge. stored: what the numbers in the file are, where something else than the above is known. Checks
+// the header against the file's size before allocating. Throws Error.
+LoadedImage loadImage(const std::filesystem::path& path, std::optional<ColourSpace> stored = {});
 
 // Writes .exr (half or float, linear) or .png/.jpg/... (the values are written as they are, clamped to [0,1],
 // 8 bits: encode to sRGB first, see picture/tone_map.h), .hdr (linear). Atomic. Throws Error (unknown suffix,

@@ -44,11 +44,6 @@ void checkSpec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
   checkSize(path, spec.width, spec.height);
 }
 
-// Based on: IEC 61966-2-1.
-float decodeSrgb(float value) {
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
-
 std::vector<Vec3f> readPixels(const std::filesystem::path& path, OIIO::ImageInput& input,
                               const OIIO::ImageSpec& spec, const std::array<int, 3>& channels) {
   std::vector<Vec3f> pixels(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
@@ -116,7 +111,7 @@ Image turnUpright(Image stored, int orientation, std::vector<std::string>& notes
   return upright;
 }
 
-LoadedImage read(const std::filesystem::path& path) {
+LoadedImage read(const std::filesystem::path& path, std::optional<ColourSpace> stored) {
   OIIO::ImageSpec hints;
   // PFM files begin with their lowest row, which some versions of OpenImageIO heed only when told.
   hints.attribute("pnm:pfmflip", 1);
@@ -141,10 +136,11 @@ LoadedImage read(const std::filesystem::path& path) {
   const ColourChannels channels = chooseColourChannels(names, loaded.format == "openexr", path.string());
   loaded.notes = channels.notes;
   loaded.image = {spec.width, spec.height, readPixels(path, *input, spec, channels.index)};
-  if (!spec.format.is_floating_point()) {
-    loaded.notes.push_back("integer pixels decoded from sRGB to linear");
-    for (Vec3f& pixel : loaded.image.pixels)
-      pixel = {decodeSrgb(pixel.x), decodeSrgb(pixel.y), decodeSrgb(pixel.z)};
+  const bool integers = !spec.format.is_floating_point();
+  if (stored.value_or(integers ? ColourSpace::kSrgb : ColourSpace::kLinear) == ColourSpace::kSrgb) {
+    loaded.notes.push_back(std::string(integers ? "integer" : "floating-point") +
+                           " pixels decoded from sRGB to linear");
+    for (Vec3f& pixel : loaded.image.pixels) pixel = decodeSrgb(pixel);
   }
   // OpenImageIO makes a display window of its own for cubes.
   if (loaded.environmentKind.empty())
@@ -158,10 +154,10 @@ LoadedImage read(const std::filesystem::path& path) {
 
 }  // namespace
 
-LoadedImage loadImage(const std::filesystem::path& path) {
+LoadedImage loadImage(const std::filesystem::path& path, std::optional<ColourSpace> stored) {
   checkImageFile(path);
   try {
-    return read(path);
+    return read(path, stored);
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {

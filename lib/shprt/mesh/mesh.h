@@ -1,5 +1,5 @@
 // A triangle mesh ready for baking: one render vertex per distinct (position, normal, texture coordinate,
-// material) that the faces use, so hard edges and seams stay as the file has them.
+// colour, material) that the faces use, so hard edges and seams stay as the file has them.
 #pragma once
 
 #include <array>
@@ -18,7 +18,12 @@ struct Material {
   Vec3f diffuse;               // linear Rec.709 albedo in [0,1]
   std::string diffuseTexture;  // file name as the MTL gives it, "" for none
   bool hasDiffuse = false;     // whether the file gives diffuse; otherwise the default albedo applies
+  Vec3f emission;              // radiance, linear Rec.709, not negative
+  std::string folder;          // of the MTL file, to which names of textures are relative
 };
+
+// Stands where a vertex of a mesh with colours has none.
+inline constexpr Vec3f kNoColour{-1, -1, -1};
 
 // What the loader found, left out and mended. Counts are of the source file's own elements.
 struct MeshReport {
@@ -40,10 +45,12 @@ struct MeshReport {
 };
 
 struct Mesh {
-  std::vector<Vec3f> positions;                // per render vertex, file coordinates
-  std::vector<Vec3f> normals;                  // per render vertex, unit length
-  std::vector<Vec2f> textureCoordinates;       // per render vertex, or empty when the file has none
-  std::vector<Vec3f> colours;                  // per render vertex as the file gives them, in [0,1]; or empty
+  std::vector<Vec3f> positions;           // per render vertex, file coordinates
+  std::vector<Vec3f> normals;             // per render vertex, unit length
+  std::vector<Vec2f> textureCoordinates;  // per render vertex, or empty when the file has none
+  // Per render vertex as the file gives them, in [0,1], or kNoColour; empty when the file has none.
+  std::vector<Vec3f> colours;
+  bool coloursAreIntegers = false;             // stored as 0 to 255 or 65535: most likely sRGB; else linear
   std::vector<std::uint32_t> vertexMaterials;  // per render vertex, index into materials
   std::vector<Triangle> triangles;             // never degenerate
   std::vector<Material> materials;             // at least one

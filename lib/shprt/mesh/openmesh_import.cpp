@@ -95,7 +95,7 @@ class ArrayImporter final : public OpenMesh::IO::BaseImporter {
   std::size_t n_faces() const override { return mesh.faceCount(); }
   std::size_t n_edges() const override { return 0; }
 
-  // What a bake has no use for.
+  // What a bake has no use for, and colours, which the preflight has read.
   HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
   FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
   void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>&) override {}
@@ -232,6 +232,8 @@ RawMesh importWithOpenMesh(const std::string& path, CanonicalFile& file) {
   if (!file.cornerNormals.empty()) mesh.cornerNormals = std::move(file.cornerNormals);
   if (!file.cornerTextureCoordinates.empty())
     mesh.cornerTextureCoordinates = std::move(file.cornerTextureCoordinates);
+  mesh.vertexColours = std::move(file.vertexColours);
+  copyDuplicates(mesh.vertexColours);
   // Faces after the last one that had any are without.
   if (!mesh.cornerNormals.empty()) mesh.cornerNormals.resize(mesh.corners.size());
   if (!mesh.cornerTextureCoordinates.empty()) mesh.cornerTextureCoordinates.resize(mesh.corners.size());

@@ -1,8 +1,10 @@
 // Wavefront OBJ: every line is judged, indices are made absolute and checked, faces get their material's
-// number. A corner whose texture coordinate or normal cannot be used is left without, its face stays.
+// number. A corner whose texture coordinate or normal cannot be used is left without, its face stays. Colours
+// ("v x y z r g b") are taken here: OpenMesh would read 0 to 255 as 1/255.
 
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "shprt/mesh/material_library.h"
 #include "shprt/mesh/preflight.h"
 #include "shprt/mesh/text.h"
+#include "shprt/mesh/vertex_colours.h"
 
 namespace shprt {
 namespace {
@@ -91,11 +94,13 @@ class ObjPreflight {
       ++file_.report.nonFiniteVertices;
     }
     ++positionCount_;
-    // A fourth number is a weight, which only curves use; more are a colour.
-    line = line.substr(0, line.find('#'));
-    takeToken(line);
-    takeToken(line);
-    if (!takeToken(line).empty()) ++colouredVertices_;
+    readColour(line.substr(0, line.find('#')));
+  }
+
+  // A fourth number alone is a weight, which only curves use; from six on, the second three are a colour.
+  void readColour(std::string_view line) {
+    const std::string_view red = takeToken(line), green = takeToken(line), blue = takeToken(line);
+    if (!blue.empty()) colours_.add(positionCount_ - 1, red, green, blue);
   }
 
   void readTextureCoordinate(std::string_view line) {
@@ -174,9 +179,7 @@ class ObjPreflight {
     std::string_view rest = names;
     for (std::string_view name = takeToken(rest); !name.empty(); name = takeToken(rest))
       any = readLibrary(name) || any;
-    if (!any)
-      file_.report.notes.push_back("material file '" + shownToken(names) +
-                                   "' not found; default albedo used");
+    if (!any) file_.report.notes.push_back("material file '" + shownToken(names) + "' not found");
   }
 
   bool readLibrary(std::string_view name) {
@@ -259,19 +262,12 @@ class ObjPreflight {
       const auto found = library_.find(material.name);
       if (found == library_.end()) {
         if (!material.name.empty())
-          file_.report.notes.push_back("material '" + shownToken(material.name) +
-                                       "' is defined nowhere; default albedo used");
+          file_.report.notes.push_back("material '" + shownToken(material.name) + "' is defined nowhere");
         continue;
       }
       material = found->second;
-      if (!material.diffuseTexture.empty()) {
-        file_.report.notes.push_back("texture '" + shownToken(material.diffuseTexture) + "' of material '" +
-                                     shownToken(material.name) + "' is not sampled yet; its Kd is used");
-      }
     }
-    if (colouredVertices_)
-      file_.report.notes.push_back("colours of " + countOf(colouredVertices_, "vertex", "vertices") +
-                                   " ignored");
+    colours_.finish(positionCount_, std::nullopt, file_);
     if (unusableNormals_) {
       file_.report.notes.push_back(countOf(unusableNormals_, "normal") +
                                    " zero or not finite; computed where faces use them");
@@ -298,7 +294,8 @@ class ObjPreflight {
   std::filesystem::path path_;
   CanonicalFile file_;
   std::string positions_, textures_, normals_;
-  std::uint64_t positionCount_ = 0, colouredVertices_ = 0, unusableNormals_ = 0;
+  std::uint64_t positionCount_ = 0, unusableNormals_ = 0;
+  VertexColours colours_;
   std::vector<bool> usableTexture_, usableNormal_;
   std::vector<Corner> corners_;
   std::vector<std::size_t> faceEnds_;

@@ -1,15 +1,17 @@
 // Object File Format, ASCII and binary: counts are checked against what is there, and the canonical file is
 // plain ASCII OFF of positions and polygons (comments, counts on the header line and face colours mislead
-// OpenMesh). Normals and texture coordinates are handed over beside it: OpenMesh looks at the prefix that
-// announces them only when it opens a file by its name.
+// OpenMesh). Normals, colours of vertices and texture coordinates are handed over beside it: OpenMesh looks
+// at the prefix that announces them only when it opens a file by its name.
 
 #include <bit>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "shprt/base/error.h"
 #include "shprt/mesh/preflight.h"
 #include "shprt/mesh/text.h"
+#include "shprt/mesh/vertex_colours.h"
 
 namespace shprt {
 namespace {
@@ -40,7 +42,9 @@ class OffPreflight {
     file_.bytes += " 0\n";
     file_.bytes += positions_;
     file_.bytes += faces_;
-    if (coloured_) file_.report.notes.push_back("values after coordinates and indices (colours) ignored");
+    colours_.finish(vertexCount_, std::nullopt, file_);
+    if (vertexExtras_) file_.report.notes.push_back("values after coordinates that are no colour ignored");
+    if (faceExtras_) file_.report.notes.push_back("values after indices (colours of faces) ignored");
     return std::move(file_);
   }
 
@@ -134,6 +138,18 @@ class OffPreflight {
     }
   }
 
+  // Three numbers, or four with alpha, whether the header announces them or not; one is an index into a
+  // palette that is not in the file.
+  void readColour(std::uint64_t index, std::string_view line) {
+    const std::string_view red = takeToken(line), green = takeToken(line), blue = takeToken(line);
+    takeToken(line);
+    if (!blue.empty() && trimBlanks(line).empty()) {
+      colours_.add(index, red, green, blue);
+    } else if (!red.empty()) {
+      vertexExtras_ = true;
+    }
+  }
+
   void readAscii() {
     for (std::uint64_t i = 0; i < vertexCount_; ++i) {
       std::string_view line = nextLine();
@@ -153,7 +169,7 @@ class OffPreflight {
         const std::optional<float> right = parseFloat(u), up = parseFloat(v);
         vertexTexture_.push_back(right && up ? Vec2f{*right, *up} : Vec2f{});
       }
-      coloured_ = coloured_ || !trimBlanks(line).empty();
+      readColour(i, line);
       addVertex(i, numbers, header_.normal ? numbers + 3 : nullptr);
     }
     FaceFilter filter(vertexCount_, file_);
@@ -171,7 +187,7 @@ class OffPreflight {
         if (token.empty()) fail("face " + std::to_string(i) + " has fewer indices than it says");
         corners_.push_back(parseInteger<std::int64_t>(token).value_or(-1));
       }
-      coloured_ = coloured_ || !trimBlanks(line).empty();
+      faceExtras_ = faceExtras_ || !trimBlanks(line).empty();
       addFace(filter);
     }
     std::uint64_t linesLeft = 0;
@@ -262,7 +278,8 @@ class OffPreflight {
   std::vector<Vec3f> vertexNormals_;
   std::vector<Vec2f> vertexTexture_;
   std::vector<std::int64_t> corners_;
-  bool coloured_ = false;
+  VertexColours colours_;
+  bool vertexExtras_ = false, faceExtras_ = false;
 };
 
 }  // namespace

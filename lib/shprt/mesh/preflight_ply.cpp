@@ -1,11 +1,12 @@
 // Stanford PLY in its three encodings: the canonical file is little-endian with positions, normals and
 // texture coordinates per vertex and one index list per face, in this order. Triangle strips are unrolled,
-// and texture coordinates that belong to faces are handed over beside the file, because OpenMesh's PLY parser
-// misreads them.
+// colours, and texture coordinates that belong to faces, are handed over beside the file, because OpenMesh's
+// PLY parser misreads them.
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "shprt/mesh/ply_reader.h"
 #include "shprt/mesh/preflight.h"
 #include "shprt/mesh/text.h"
+#include "shprt/mesh/vertex_colours.h"
 
 namespace shprt {
 namespace {
@@ -82,12 +84,23 @@ class PlyPreflight {
     locate({"nx", "ny", "nz"}, normal_);
     locate({"s", "t"}, texture_) || locate({"u", "v"}, texture_) ||
         locate({"texture_u", "texture_v"}, texture_);
-    if (element.find("red") >= 0 || element.find("diffuse_red") >= 0)
-      file_.report.notes.push_back("vertex colours ignored");
+    locate({"red", "green", "blue"}, colour_) ||
+        locate({"diffuse_red", "diffuse_green", "diffuse_blue"}, colour_) ||
+        locate({"r", "g", "b"}, colour_) || locate({"color_0", "color_1", "color_2"}, colour_);
+    if (!colour_.empty())
+      colourMaximum_ = maximumOf(element.properties[static_cast<std::size_t>(colour_[0])].type);
     std::vector<int> used = position_;
     used.insert(used.end(), normal_.begin(), normal_.end());
     used.insert(used.end(), texture_.begin(), texture_.end());
+    used.insert(used.end(), colour_.begin(), colour_.end());
     noteIgnored(element, used);
+  }
+
+  // What full intensity is in a type, as far as the type tells.
+  static std::optional<float> maximumOf(PlyType type) {
+    if (type == PlyType::kUint8) return 255.0f;
+    if (type == PlyType::kUint16) return 65535.0f;
+    return {};
   }
 
   void prepareFaces(const PlyElement& element) {
@@ -131,6 +144,11 @@ class PlyPreflight {
     }
     append(normal_);
     append(texture_);
+    if (colour_.empty()) return;
+    const auto channel = [&](std::size_t i) {
+      return static_cast<float>(values[static_cast<std::size_t>(colour_[i])][0]);
+    };
+    colours_.add(record, {channel(0), channel(1), channel(2)});
   }
 
   // Faces may come before vertices, so they are kept until all is read.
@@ -179,6 +197,7 @@ class PlyPreflight {
 
   void write() {
     file_.report.sourceVertices = vertexCount_;
+    colours_.finish(vertexCount_, colourMaximum_, file_);
     if (mismatched_)
       file_.report.notes.push_back("texture coordinates of faces do not match their corners; ignored");
     std::string faces;
@@ -222,7 +241,9 @@ class PlyPreflight {
   CanonicalFile file_;
   bool haveVertices_ = false, perCorner_ = false, mismatched_ = false;
   std::uint64_t vertexCount_ = 0;
-  std::vector<int> position_, normal_, texture_;  // columns of the vertex element
+  std::vector<int> position_, normal_, texture_, colour_;  // columns of the vertex element
+  std::optional<float> colourMaximum_;
+  VertexColours colours_;
   int list_ = -1, faceTexture_ = -1;
   std::string vertices_;
   std::vector<std::int64_t> corners_;

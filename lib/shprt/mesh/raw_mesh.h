@@ -26,6 +26,8 @@ struct CanonicalFile {
   // What the format's parser cannot deliver; else empty. A zero normal means none.
   std::vector<Vec3f> cornerNormals;
   std::vector<Vec2f> cornerTextureCoordinates;
+  std::vector<Vec3f> vertexColours;  // per vertex of the file's own, in [0,1] or kNoColour
+  bool coloursAreIntegers = false;
   std::vector<Material> materials;
   std::vector<std::filesystem::path> sources;  // further files that were read
   MeshReport report;
@@ -38,6 +40,7 @@ struct RawMesh {
   // One per corner, or empty. A zero normal means none.
   std::vector<Vec3f> cornerNormals;
   std::vector<Vec2f> cornerTextureCoordinates;
+  std::vector<Vec3f> vertexColours;  // per position, or empty
 
   std::size_t faceCount() const { return faceStarts.size() - 1; }
 };

@@ -106,7 +106,11 @@ Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double cr
     return file.faceMaterials.empty() ? kNoMaterial : file.faceMaterials[kept.faces[i / 3]];
   };
 
-  const DistinctIds distinct = numberDistinct<7>(normals.size(), [&](std::size_t i) {
+  const std::vector<std::uint32_t> colourIds = distinctPositionIds(raw.vertexColours);
+  const bool coloured = !colourIds.empty();
+  mesh.coloursAreIntegers = coloured && file.coloursAreIntegers;
+
+  const DistinctIds distinct = numberDistinct<8>(normals.size(), [&](std::size_t i) {
     const Vec3f n = normals[i];
     const Vec2f t = textureOf(i);
     return std::array{welded[raw.corners[rawCorner(i)]],
@@ -115,7 +119,8 @@ Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double cr
                       keyBits(n.z),
                       keyBits(t.x),
                       keyBits(t.y),
-                      materialOf(i)};
+                      materialOf(i),
+                      coloured ? colourIds[raw.corners[rawCorner(i)]] : 0};
   });
   std::vector<std::uint32_t> materialNumbers(file.materials.size() + 1,
                                              kNoMaterial);  // the last: no material
@@ -123,6 +128,7 @@ Mesh makeRenderVertices(const RawMesh& raw, const CanonicalFile& file, double cr
     mesh.positions.push_back(raw.positions[raw.corners[rawCorner(i)]]);
     mesh.normals.push_back(normals[i]);
     if (textured) mesh.textureCoordinates.push_back(textureOf(i));
+    if (coloured) mesh.colours.push_back(raw.vertexColours[raw.corners[rawCorner(i)]]);
     const std::uint32_t material =
         std::min<std::uint32_t>(materialOf(i), static_cast<std::uint32_t>(file.materials.size()));
     if (materialNumbers[material] == kNoMaterial) {

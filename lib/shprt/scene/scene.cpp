@@ -24,6 +24,15 @@ Vec3f Scene::albedoAt(std::uint32_t triangle, float u, float v) const {
                        {p.x * w + q.x * u + r.x * v, p.y * w + q.y * u + r.y * v});
 }
 
+void makeGrey(Scene& scene) {
+  const auto mean = [](Vec3f& colour) {
+    const float grey = (colour.x + colour.y + colour.z) / 3;
+    colour = {grey, grey, grey};
+  };
+  std::for_each(scene.albedo.begin(), scene.albedo.end(), mean);
+  for (Image& texture : scene.textures) std::for_each(texture.pixels.begin(), texture.pixels.end(), mean);
+}
+
 Scene makeScene(Mesh mesh, std::vector<Vec3f> albedo) {
   assert(albedo.size() == mesh.positions.size());
   Scene scene;
@@ -31,10 +40,12 @@ Scene makeScene(Mesh mesh, std::vector<Vec3f> albedo) {
   scene.albedo = std::move(albedo);
   scene.mesh.vertexMaterials.assign(scene.mesh.positions.size(), 0);
   scene.mesh.materials.clear();
+  scene.mesh.colours.clear();
   scene.vertexObjects.assign(scene.mesh.positions.size(), 0);
   scene.objects.emplace_back();
   scene.objects.back().report = scene.mesh.report;
   scene.materials.emplace_back();
+  scene.albedoSources.asked = scene.albedo.size();
   return scene;
 }
 

@@ -48,10 +48,22 @@ struct SceneObject {
   MeshReport report;
 };
 
+// How many vertices have their albedo from where; back sides of two-sided materials do not count.
+struct AlbedoSources {
+  std::uint64_t asked = 0;      // LoadSceneOptions::albedo, or given to makeScene
+  std::uint64_t sceneFile = 0;  // "albedo" of a scene file
+  std::uint64_t textures = 0;
+  std::uint64_t vertexColours = 0;
+  std::uint64_t materials = 0;  // diffuse colours of mesh files' materials
+  std::uint64_t defaulted = 0;  // kDefaultAlbedo
+};
+
 // The side of a triangle on which its corners' normals are is its front. Fronts reflect and emit; backs are
 // black: they only cast shadows.
 struct Scene {
-  Mesh mesh;  // of all objects, in scene units; vertexMaterials index `materials` (mesh.materials is empty)
+  // Of all objects, in scene units; vertexMaterials index `materials`. Without materials and colours of its
+  // own; its report is the sum of the files', whose notes are in `notes`.
+  Mesh mesh;
   std::vector<Vec3f> albedo;                   // per vertex, linear Rec.709 in [0,1]
   std::vector<std::uint32_t> vertexObjects;    // per vertex, index into objects
   std::vector<SceneObject> objects;            // at least one
@@ -59,6 +71,7 @@ struct Scene {
   std::vector<Image> textures;                 // linear albedo in [0,1]
   std::vector<std::filesystem::path> sources;  // every file that was read, the one asked for first
   std::vector<std::string> notes;              // what was assumed or ignored, one line each
+  AlbedoSources albedoSources;
 
   // A triangle's corners share material and object.
   const SurfaceMaterial& materialOf(std::uint32_t triangle) const {
@@ -73,6 +86,9 @@ struct Scene {
   // interpolated.
   Vec3f albedoAt(std::uint32_t triangle, float u, float v) const;
 };
+
+// Gives every albedo, in textures too, the mean of its channels: for scenes whose colours do not matter.
+void makeGrey(Scene& scene);
 
 // A scene of one receiver. albedo: one entry per vertex.
 Scene makeScene(Mesh mesh, std::vector<Vec3f> albedo);
