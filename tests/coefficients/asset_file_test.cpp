@@ -16,11 +16,14 @@
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
 #include "shprt/coefficients/asset_file.h"
+#include "tests/coefficients/test_assets.h"
 #include "tests/scratch.h"
 
 namespace shprt {
 namespace {
 
+using test::makeAsset;
+using test::makeSceneAsset;
 using test::scratch;
 
 // A file written anew: overwriting one in place makes some file systems wait for the disk at every close.
@@ -35,33 +38,6 @@ std::size_t allowedAllocation(std::size_t fileBytes) {
   return std::size_t{2} * 1032 * fileBytes + (std::size_t{8} << 20);
 }
 
-TransferAsset makeAsset(int degree, int channels, std::size_t vertices, bool textured) {
-  TransferAsset asset;
-  asset.transfer.degree = degree;
-  asset.transfer.channels = channels;
-  asset.transfer.vertexCount = vertices;
-  asset.transfer.values.resize(static_cast<std::size_t>(channels * coefficientCount(degree)) * vertices);
-  for (std::size_t i = 0; i < asset.transfer.values.size(); ++i)
-    asset.transfer.values[i] = static_cast<float>(std::sin(0.37 * double(i)));
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const float f = static_cast<float>(v);
-    asset.positions.push_back({f, -f, 0.5f * f});
-    asset.normals.push_back({0, 1, 0});
-    asset.albedo.push_back({0.25f, 0.5f, 0.75f});
-    if (textured) asset.textureCoordinates.push_back({f / 7, 1 - f / 9});
-  }
-  for (std::uint32_t t = 0; t + 2 < vertices; ++t) asset.triangles.push_back({t, t + 1, t + 2});
-  asset.metadata.toolVersion = "test";
-  asset.metadata.model = "shadowed";
-  asset.metadata.rays = 64;
-  asset.metadata.seed = std::numeric_limits<std::uint64_t>::max();
-  asset.metadata.sources = {{"a \"quoted\" name.obj", "00ff"}};
-  asset.metadata.seconds = {{"trace", 0.125}};
-  asset.metadata.counts = {{"zeroAreaTriangles", 3}};
-  asset.metadata.notes = {"a note"};
-  return asset;
-}
-
 void expectSame(const TransferAsset& a, const TransferAsset& b) {
   EXPECT_EQ(a.transfer.degree, b.transfer.degree);
   EXPECT_EQ(a.transfer.channels, b.transfer.channels);
@@ -70,6 +46,7 @@ void expectSame(const TransferAsset& a, const TransferAsset& b) {
   EXPECT_EQ(a.positions, b.positions);
   EXPECT_EQ(a.normals, b.normals);
   EXPECT_EQ(a.albedo, b.albedo);
+  EXPECT_EQ(a.emission, b.emission);
   EXPECT_EQ(a.textureCoordinates, b.textureCoordinates);
   EXPECT_EQ(a.triangles, b.triangles);
   EXPECT_EQ(a.metadata.model, b.metadata.model);
@@ -78,6 +55,9 @@ void expectSame(const TransferAsset& a, const TransferAsset& b) {
   EXPECT_EQ(a.metadata.seconds, b.metadata.seconds);
   EXPECT_EQ(a.metadata.counts, b.metadata.counts);
   EXPECT_EQ(a.metadata.notes, b.metadata.notes);
+  EXPECT_EQ(a.metadata.objects, b.metadata.objects);
+  EXPECT_EQ(a.metadata.bounces, b.metadata.bounces);
+  EXPECT_EQ(a.metadata.tailSummed, b.metadata.tailSummed);
   ASSERT_EQ(a.metadata.sources.size(), b.metadata.sources.size());
   EXPECT_EQ(a.metadata.sources[0].file, b.metadata.sources[0].file);
 }
@@ -100,6 +80,7 @@ TEST(AssetFile, NothingIsTooUniformToBeReadBack) {
   TransferAsset asset = makeAsset(4, 3, 30000, true);
   std::fill(asset.transfer.values.begin(), asset.transfer.values.end(), 0.0f);
   std::fill(asset.positions.begin(), asset.positions.end(), Vec3f{1, 1, 1});
+  asset.emission.assign(30000, {});
   for (auto& triangle : asset.triangles) triangle = {0, 0, 0};
   for (const AssetCompression compression :
        {AssetCompression::kNone, AssetCompression::kZip, AssetCompression::kZips, AssetCompression::kPiz})
@@ -144,7 +125,7 @@ TEST(AssetFile, IsAnOrdinaryMultiPartFile) {
 }
 
 TEST(AssetFile, EveryTruncationIsRefused) {
-  writeAsset(scratch("whole.prt.exr"), makeAsset(1, 1, 5, true));
+  writeAsset(scratch("whole.prt.exr"), makeSceneAsset(5));
   const std::string bytes = readFile(scratch("whole.prt.exr"));
   ASSERT_GT(bytes.size(), 1000u);
   for (std::size_t length = 0; length < bytes.size(); ++length) {
@@ -156,7 +137,7 @@ TEST(AssetFile, EveryTruncationIsRefused) {
 
 TEST(AssetFile, FlippedBytesAreRefusedOrHarmless) {
   for (const AssetCompression compression : {AssetCompression::kNone, AssetCompression::kZip}) {
-    writeAsset(scratch("whole2.prt.exr"), makeAsset(1, 3, 6, true), {.compression = compression});
+    writeAsset(scratch("whole2.prt.exr"), makeSceneAsset(6), {.compression = compression});
     const std::string bytes = readFile(scratch("whole2.prt.exr"));
     for (std::size_t at = 0; at < bytes.size(); at += at < 2000 ? 1 : 5)
       for (const unsigned char flip : {0x01, 0x7f, 0xff}) {

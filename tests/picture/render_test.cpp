@@ -38,6 +38,11 @@ RenderOptions smallPicture(int size, int samples) {
   return options;
 }
 
+// Of meshes with no two triangles back to back, for which normals do not matter.
+MeshRenderer makeRenderer(const std::vector<Vec3f>& positions, const Triangles& triangles) {
+  return {positions, std::vector<Vec3f>(positions.size(), {0, 0, 1}), triangles};
+}
+
 bool sameBits(const Image& a, const Image& b) {
   return a.pixels.size() == b.pixels.size() &&
          std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Vec3f)) == 0;
@@ -65,7 +70,7 @@ TEST(TentOffsets, HaveTheMomentsOfATent) {
 }
 
 TEST(MeshRenderer, ConstantRadianceInFrontOfAPlainBackground) {
-  const MeshRenderer renderer(quad(0.5f), kQuadTriangles);
+  const MeshRenderer renderer = makeRenderer(quad(0.5f), kQuadTriangles);
   const Image image = renderer.render(frontCamera(), std::vector<Vec3f>(4, {1, 2, 3}), smallPicture(16, 4));
   // The quad covers pixels 4..11; a tent reaches one pixel further.
   for (int y = 0; y < 16; ++y)
@@ -83,7 +88,7 @@ TEST(MeshRenderer, InterpolatesRadianceLinearly) {
   std::vector<Vec3f> radiance;
   for (const Vec3f& p : positions) radiance.push_back({3 + p.x, 5 + p.y, 4 + 0.5f * p.x - p.y});
   const Image image =
-      MeshRenderer(positions, kQuadTriangles).render(frontCamera(), radiance, smallPicture(8, 16));
+      makeRenderer(positions, kQuadTriangles).render(frontCamera(), radiance, smallPicture(8, 16));
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column) {
       // A plane across the view maps to the picture by a scale: the pixel's centre is (x, y).
@@ -102,7 +107,7 @@ TEST(MeshRenderer, EdgesAreFilteredByATent) {
     const std::vector<Vec3f> positions = quad(4, edge - 4);
     RenderOptions options = smallPicture(8, 256);
     options.background = Vec3f{};
-    const Image image = MeshRenderer(positions, kQuadTriangles)
+    const Image image = makeRenderer(positions, kQuadTriangles)
                             .render(frontCamera(), std::vector<Vec3f>(4, {1, 1, 1}), options);
     const double t = f - 0.5;  // from the pixel's centre
     const double covered = t < 0 ? 0.5 * (1 + t) * (1 + t) : 1 - 0.5 * (1 - t) * (1 - t);
@@ -113,9 +118,36 @@ TEST(MeshRenderer, EdgesAreFilteredByATent) {
 TEST(MeshRenderer, ShowsTrianglesFromBothSides) {
   Camera camera = frontCamera();
   camera.eye = {0, 0, -1};
-  const Image image = MeshRenderer(quad(2), kQuadTriangles)
+  const Image image = makeRenderer(quad(2), kQuadTriangles)
                           .render(camera, std::vector<Vec3f>(4, {1, 1, 1}), smallPicture(4, 1));
   for (const Vec3f& pixel : image.pixels) EXPECT_NEAR(pixel.x, 1, 1e-6);
+}
+
+// The quad as a two-sided surface is held: a red front towards +z, and a back of its own vertices, green to
+// blue from left to right, whose triangles begin at other corners.
+TEST(MeshRenderer, ShowsTheSideOfATwoSidedSurfaceThatFacesTheEye) {
+  std::vector<Vec3f> positions = quad(2), normals(4, {0, 0, 1}), radiance(4, {1, 0, 0});
+  for (const Vec3f& p : quad(2)) {
+    positions.push_back(p);
+    normals.push_back({0, 0, -1});
+    radiance.push_back({0, (2 - p.x) / 4, (2 + p.x) / 4});
+  }
+  Camera front = frontCamera(), back = frontCamera();
+  back.eye = {0, 0, -1};
+  // Normals decide and not windings, which files get wrong; and so does the order of triangles not.
+  for (const Triangles& triangles : {Triangles{{0, 1, 2}, {0, 2, 3}, {5, 4, 6}, {7, 6, 4}},
+                                     Triangles{{6, 5, 4}, {4, 7, 6}, {1, 2, 0}, {2, 3, 0}},
+                                     Triangles{{2, 1, 0}, {3, 2, 0}, {4, 5, 6}, {7, 4, 6}}}) {
+    const MeshRenderer renderer(positions, normals, triangles);
+    for (const Vec3f& pixel : renderer.render(front, radiance, smallPicture(8, 4)).pixels)
+      ASSERT_LT(length(toDouble(pixel) - Vec3d{1, 0, 0}), 1e-6);
+    const Image image = renderer.render(back, radiance, smallPicture(8, 16));
+    for (int row = 0; row < 8; ++row)
+      for (int column = 0; column < 8; ++column) {
+        const double x = 1 - (column + 0.5) / 4;  // seen from behind, +x is to the left
+        ASSERT_LT(length(toDouble(image.at(column, row)) - Vec3d{0, (2 - x) / 4, (2 + x) / 4}), 1e-5);
+      }
+  }
 }
 
 TEST(MeshRenderer, TheNearestSurfaceHidesTheOthers) {
@@ -124,7 +156,7 @@ TEST(MeshRenderer, TheNearestSurfaceHidesTheOthers) {
   const Triangles triangles = {{4, 5, 6}, {4, 6, 7}, {0, 1, 2}, {0, 2, 3}};
   std::vector<Vec3f> radiance(4, {1, 0, 0});
   radiance.resize(8, {0, 1, 0});
-  const Image image = MeshRenderer(positions, triangles).render(frontCamera(), radiance, smallPicture(4, 4));
+  const Image image = makeRenderer(positions, triangles).render(frontCamera(), radiance, smallPicture(4, 4));
   for (const Vec3f& pixel : image.pixels) EXPECT_NEAR(pixel.x, 1, 1e-6);
 }
 
@@ -137,7 +169,7 @@ TEST(MeshRenderer, ScaleAndPlaceDoNotMatter) {
   const auto picture = [&](float scale, Vec3f offset) {
     std::vector<Vec3f> moved;
     for (const Vec3f& p : positions) moved.push_back(p * scale + offset);
-    return MeshRenderer(moved, kQuadTriangles).render(frameCamera(moved, 1), radiance, smallPicture(24, 4));
+    return makeRenderer(moved, kQuadTriangles).render(frameCamera(moved, 1), radiance, smallPicture(24, 4));
   };
   const Image reference = picture(1, {});
   for (const Image& image :
@@ -159,7 +191,7 @@ TEST(MeshRenderer, AnEyeFarAwayWithANarrowFieldSeesSharply) {
   camera.eye = {3e6, -2e6, 6e6};
   camera.target = {0, 0, 0};
   camera.verticalFovDegrees = 2 * std::atan(1 / 7e6) * 180 / std::numbers::pi;
-  const Image image = MeshRenderer(positions, kQuadTriangles).render(camera, radiance, smallPicture(8, 1));
+  const Image image = makeRenderer(positions, kQuadTriangles).render(camera, radiance, smallPicture(8, 1));
   const CameraAxes axes = cameraAxes(camera.eye, camera.up);
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column) {
@@ -180,7 +212,7 @@ TEST(MeshRenderer, AnEyeInsideTheMeshSeesWhatLiesAhead) {
   Camera camera = frontCamera();
   camera.eye = {0, 0, -9};  // past the middle, looking away from it
   camera.target = {0, 0, -10};
-  const Image image = MeshRenderer(positions, triangles).render(camera, radiance, smallPicture(4, 4));
+  const Image image = makeRenderer(positions, triangles).render(camera, radiance, smallPicture(4, 4));
   for (const Vec3f& pixel : image.pixels) EXPECT_NEAR(pixel.y, 1, 1e-6);
 }
 
@@ -194,7 +226,7 @@ TEST(MeshRenderer, TheEnvironmentBehindTurnsWithItsRotation) {
       const Vec3d d = pixelFootprint(sky.layout, 256, 128, x, y).direction;
       sky.image.pixels.push_back(toFloat(Vec3d{0.5, 0.5, 0.5} + d * 0.5));
     }
-  const MeshRenderer renderer(quad(1e-3f), kQuadTriangles);
+  const MeshRenderer renderer = makeRenderer(quad(1e-3f), kQuadTriangles);
   RenderOptions options = smallPicture(3, 1);
   options.environment = &sky;
   options.environmentScale = 2;
@@ -214,7 +246,7 @@ TEST(MeshRenderer, SameBitsForAnyThreadCountAndProgressReachesTheEnd) {
   std::vector<Vec3f> positions = quad(1);
   positions[2].z = 1;
   const std::vector<Vec3f> radiance = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
-  const MeshRenderer renderer(positions, kQuadTriangles);
+  const MeshRenderer renderer = makeRenderer(positions, kQuadTriangles);
   const Camera camera = frameCamera(positions, 1);
   ProgressReport last;
   setThreadCount(1);

@@ -79,5 +79,35 @@ TEST(Relight, GivesTheSameBitsForAnyNumberOfThreads) {
   setThreadCount(0);
 }
 
+TransferAsset makeEmitter() {
+  TransferAsset asset;
+  asset.transfer = makeTransfer(2, 3, 3000);
+  for (std::size_t v = 0; v < 3000; ++v) asset.emission.push_back({static_cast<float>(v), 0.25f, 0});
+  return asset;
+}
+
+TEST(RelightWithEmission, AddsItScaled) {
+  const TransferAsset asset = makeEmitter();
+  const LightCoefficients light = makeLight(2);
+  const std::vector<Vec3f> reflected = relight(asset.transfer, light);
+  for (const double scale : {0.0, 1.0, 2.5}) {
+    const std::vector<Vec3f> radiance = relight(asset, light, scale);
+    for (std::size_t v = 0; v < radiance.size(); v += 7) {
+      EXPECT_NEAR(radiance[v].x, reflected[v].x + scale * double(v), 1e-7 * (1 + scale * double(v)));
+      EXPECT_NEAR(radiance[v].y, reflected[v].y + scale * 0.25, 1e-6);
+      EXPECT_EQ(radiance[v].z, reflected[v].z);
+    }
+  }
+}
+
+TEST(RelightWithEmission, StandsAloneUnderBlackLight) {
+  TransferAsset asset = makeEmitter();
+  const LightCoefficients black{.degree = 0, .coefficients = {{0, 0, 0}}, .source = "", .statisticsJson = ""};
+  EXPECT_EQ(relight(asset, black, 1), asset.emission);
+  EXPECT_EQ(relight(asset, black, 0), std::vector<Vec3f>(3000));
+  asset.emission.clear();
+  EXPECT_EQ(relight(asset, makeLight(2), 5), relight(asset.transfer, makeLight(2)));
+}
+
 }  // namespace
 }  // namespace shprt

@@ -50,5 +50,18 @@ TEST(AssetStatistics, BlackSurfacesHaveNoVisibility) {
   EXPECT_EQ(measureAsset(TransferAsset{}).bandEnergy.size(), 0u);
 }
 
+TEST(AssetStatistics, MeasureEmission) {
+  TransferAsset asset = makeAsset(1);
+  EXPECT_EQ(measureAsset(asset).maximumEmission, 0);
+  EXPECT_EQ(measureAsset(asset).emissionShare, 0);
+  asset.emission = {{2, 0.5f, 0.5f}, {0, 0, 0}, {1, 1, 15}, {0.25f, 0.25f, 0.25f}};
+  EXPECT_EQ(measureAsset(asset).minimumEmission, 0);
+  EXPECT_EQ(measureAsset(asset).maximumEmission, 15);
+  EXPECT_EQ(measureAsset(asset).emissionShare, 0.75);
+  asset.emission.assign(4, {3, 4, 5});
+  EXPECT_EQ(measureAsset(asset).minimumEmission, 3);
+  EXPECT_EQ(measureAsset(asset).emissionShare, 1);
+}
+
 }  // namespace
 }  // namespace shprt

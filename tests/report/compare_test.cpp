@@ -64,6 +64,22 @@ TEST(Compare, SeesGeometry) {
   EXPECT_FALSE(compareAssets(a, b, {}).equal());
 }
 
+TEST(Compare, SeesEmission) {
+  TransferAsset a = makeAsset(1);
+  a.emission.assign(4, {1, 2, 3});
+  TransferAsset b = a;
+  EXPECT_TRUE(compareAssets(a, b, {}).equal());
+  b.emission[3].z += 0.25f;
+  ASSERT_EQ(compareAssets(a, b, {}).differingParts.size(), 1u);
+  EXPECT_EQ(compareAssets(a, b, {}).differingParts[0],
+            "emission: 1 of 12 values beyond tolerance, largest difference 0.25");
+  EXPECT_TRUE(compareAssets(a, b, {.relative = 0, .absolute = 0.25}).equal());
+  EXPECT_TRUE(compareAssets(a, b, {.relative = 0.08, .absolute = 0}).equal());
+  b.emission.clear();
+  EXPECT_FALSE(compareAssets(a, b, {.relative = 1, .absolute = 100}).equal());
+  EXPECT_EQ(compareAssets(b, a, {}).differingParts.at(0), "emission: only one of them has any");
+}
+
 TEST(Compare, SaysWhyNot) {
   TransferAsset a = makeAsset(1), b = a;
   b.transfer.degree = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "commands.h"
@@ -27,6 +28,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostSamples = 4096, kMostFrames = 9999;
+// Of sums that cancel to nothing, relative to the mean.
+constexpr double kRounding = 1e-6;
 
 std::optional<RelightFormat> formatNamed(const std::string& name) {
   if (name == "ply") return RelightFormat::kPly;
@@ -84,11 +87,13 @@ struct Ringing {
 
 Ringing measureRinging(const std::vector<Vec3f>& radiance) {
   Ringing ringing;
+  for (const Vec3f& value : radiance)
+    ringing.mean += static_cast<double>(luminance(value)) / static_cast<double>(radiance.size());
+  const auto rounding = static_cast<float>(kRounding * std::max(0.0, ringing.mean));
   for (const Vec3f& value : radiance) {
     const float least = std::min({value.x, value.y, value.z});
-    ringing.vertices += least < 0;
+    ringing.vertices += least < -rounding;
     ringing.deepest = std::min(ringing.deepest, least);
-    ringing.mean += static_cast<double>(luminance(value)) / static_cast<double>(radiance.size());
   }
   return ringing;
 }
@@ -147,32 +152,38 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   checkOutput(options.common.jsonFile, inputs);
   for (int frame = 0; frame < frames; ++frame) checkDistinct(frameFile(options, frame), options.common);
   setThreadCount(options.threads);
-  noteCorrection(console, options.rotation);
 
   const TransferAsset asset = readAsset(options.asset);
+  checkLighting(options, parsed, !asset.emission.empty());
+  noteCorrection(console, options.rotation);
   console.field("asset",
                 fmt::format("{}, {}, degree {}", options.asset,
                             countOf(asset.positions.size(), "vertex", "vertices"), asset.transfer.degree));
+  if (!asset.emission.empty())
+    console.field("emission", fmt::format("the scene's own, times {:.6g}", options.emission.value_or(1)));
   const LightSum lights = addUpLights(console, options, asset.transfer.degree);
   for (int frame = 0; frame < frames; ++frame) checkNotInput(frameFile(options, frame), lights.sources);
   checkNotInput(options.common.jsonFile, lights.sources);
   backgroundMap(options, lights);
 
+  const double emissionFactor = emissionScale(options);
   const Clock::time_point start = Clock::now();
   // Frames are relit again when they are drawn: cheaper than keeping all of them.
   const FrameRadiance radiance = [&](int frame) {
     const std::optional<Mat3> rotation = frameRotation(options, frame);
     std::vector<Vec3f> values =
-        relight(asset.transfer, rotation ? rotateLight(lights.light, *rotation) : lights.light);
+        relight(asset, rotation ? rotateLight(lights.light, *rotation) : lights.light, emissionFactor);
     if (!std::all_of(values.begin(), values.end(), [](const Vec3f& value) { return isFinite(value); })) {
       throw Error(options.asset, "radiance under this light is beyond float",
-                  "use a dimmer light or --exposure");
+                  "use a dimmer light, --emission or --exposure");
     }
     return values;
   };
   const std::vector<Vec3f> first = radiance(0);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  console.field("relit", fmt::format("at degree {} in {:.4f} s", lights.light.degree, seconds));
+  console.field("relit", options.lights.empty()
+                             ? fmt::format("by the emission alone in {:.4f} s", seconds)
+                             : fmt::format("at degree {} in {:.4f} s", lights.light.degree, seconds));
 
   // Display values need an exposure; with --exposure it is in the light already.
   const bool display = format == RelightFormat::kPng || format == RelightFormat::kPly;
@@ -192,18 +203,20 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
                          : !options.turntable
                              ? options.output
                              : frameFile(options, 0) + " ... " + frameFile(options, frames - 1));
-  writeFigures(options.common, {{"command", "relight"},
-                                {"asset", options.asset},
-                                {"lights", options.lights},
-                                {"output", options.output},
-                                {"frames", frames},
-                                {"vertices", asset.positions.size()},
-                                {"degree", lights.light.degree},
-                                {"exposure", exposureValue},
-                                {"exposureIsAutomatic", automatic},
-                                {"negativeVertices", ringing.vertices},
-                                {"deepestNegative", ringing.deepest},
-                                {"secondsToRelight", seconds}});
+  writeFigures(options.common,
+               {{"command", "relight"},
+                {"asset", options.asset},
+                {"lights", options.lights},
+                {"output", options.output},
+                {"frames", frames},
+                {"vertices", asset.positions.size()},
+                {"degree", lights.light.degree},
+                {"emission", asset.emission.empty() ? Json() : Json(options.emission.value_or(1))},
+                {"exposure", exposureValue},
+                {"exposureIsAutomatic", automatic},
+                {"negativeVertices", ringing.vertices},
+                {"deepestNegative", ringing.deepest},
+                {"secondsToRelight", seconds}});
   return 0;
 }
 
@@ -231,8 +244,9 @@ void addRelightCommand(CLI::App& app, Command& chosen) {
   CLI::App& sub = *app.add_subcommand(
       "relight", "Light an asset: radiance per vertex, as a picture, a coloured mesh or a table");
   sub.add_option("ASSET", options->asset, "Asset made by shprt bake")->required();
-  sub.add_option("LIGHT", options->lights, "Light files, lists of lights or images; several add up")
-      ->required();
+  sub.add_option("LIGHT", options->lights,
+                 "Light files, lists of lights or images; several add up, and with the asset's own emission, "
+                 "which may do alone");
   sub.add_option("-o,--output", options->output,
                  "NAME.png | .exr | .ply | .csv | .json; - for text on standard output")
       ->required()
@@ -244,7 +258,9 @@ void addRelightCommand(CLI::App& app, Command& chosen) {
       ->type_name("NAME");
   addRotation(sub, options->rotation);
   addExposure(sub, options->exposure,
-              "Multiply the light by 2^EV (default: 0, but for .png and colours of .ply automatic)");
+              "Multiply all light by 2^EV (default: 0, but for .png and colours of .ply automatic)");
+  addNumber(sub, "--emission", options->emission, 0, std::numeric_limits<double>::infinity(),
+            "Multiply the light that the scene itself sends out by this (default: 1)");
   addLayout(sub, options->light.layout);
   addWindow(sub, options->window);
   addPictureOptions(sub, *options);
@@ -256,7 +272,8 @@ void addRelightCommand(CLI::App& app, Command& chosen) {
       "  shprt relight bunny.prt.exr sky.hdr -o bunny.png --background --size 1280x720 --camera "
       "orbit:-40,10\n"
       "  shprt relight bunny.prt.exr sky.json lamp.json -o bunny.csv --rotate axis:0,1,0,90\n"
-      "  shprt relight bunny.prt.exr sky.json -o spin.png --turntable 36");
+      "  shprt relight bunny.prt.exr sky.json -o spin.png --turntable 36\n"
+      "  shprt relight room.prt.exr -o lamps.png --emission 0.5");
   sub.callback([options, &sub, &chosen] { chosen = [options, &sub] { return runRelight(*options, sub); }; });
 }
 

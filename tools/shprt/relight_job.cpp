@@ -7,12 +7,28 @@
 #include <filesystem>
 #include <utility>
 
+#include "commands.h"
 #include "shprt/sh/rotation.h"
 
 namespace shprt {
 
+void checkLighting(const RelightOptions& options, const CLI::App& parsed, bool assetEmits) {
+  if (options.emission && !assetEmits)
+    throw UsageError("--emission: " + options.asset + " has no emission of its own to scale");
+  if (!options.lights.empty()) return;
+  if (!assetEmits) throw UsageError("LIGHT is required: " + options.asset + " has no emission of its own");
+  for (const char* name : {"--rotate", "--layout", "--window", "--turntable", "--background"}) {
+    if (parsed.get_option(name)->count() > 0)
+      throw UsageError(std::string(name) + ": applies to LIGHTs, and there are none");
+  }
+}
+
 LightSum addUpLights(const Console& console, const RelightOptions& options, int assetDegree) {
   LightSum sum;
+  if (options.lights.empty()) {
+    sum.light.coefficients = {{0, 0, 0}};
+    return sum;
+  }
   LightOptions lightOptions = options.light;
   lightOptions.degree = assetDegree;
   int lowest = assetDegree;
@@ -40,6 +56,10 @@ LightSum addUpLights(const Console& console, const RelightOptions& options, int 
   }
   if (options.exposure) sum.light = scaleLight(sum.light, std::exp2(*options.exposure));
   return sum;
+}
+
+double emissionScale(const RelightOptions& options) {
+  return options.emission.value_or(1) * std::exp2(options.exposure.value_or(0));
 }
 
 int frameCount(const RelightOptions& options) {

@@ -22,7 +22,8 @@ struct RelightOptions {
   Window window = Window::kNone;
   std::optional<RotationArgument> rotation;
   std::optional<double> exposure;
-  std::string camera;  // "" for the automatic one
+  std::optional<double> emission;  // factor on the asset's own emission
+  std::string camera;              // "" for the automatic one
   int width = 960, height = 720, samples = 16;
   bool background = false;  // show the image that gives the light
   std::optional<Vec3f> backgroundColour;
@@ -31,6 +32,10 @@ struct RelightOptions {
   CommonOptions common;
 };
 
+// Throws UsageError unless there is light: LIGHTs, or emission of the asset's own, which alone leaves no use
+// for options that are about lights.
+void checkLighting(const RelightOptions& options, const CLI::App& parsed, bool assetEmits);
+
 // The lights added up and windowed, in their own orientation, times 2^exposure.
 struct LightSum {
   LightCoefficients light;
@@ -38,8 +43,12 @@ struct LightSum {
   std::vector<std::filesystem::path> sources;  // every file that was read
 };
 
-// Says per light what was read, and notes where degrees differ: the bands that all have are used.
+// Says per light what was read, and notes where degrees differ: the bands that all have are used. No light at
+// all is black, of degree 0.
 LightSum addUpLights(const Console& console, const RelightOptions& options, int assetDegree);
+
+// What the asset's emission is multiplied by: --emission times 2^exposure.
+double emissionScale(const RelightOptions& options);
 
 // Pictures to make: 1 without --turntable.
 int frameCount(const RelightOptions& options);

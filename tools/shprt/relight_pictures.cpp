@@ -55,7 +55,7 @@ void writePictures(const RelightOptions& options, RelightFormat format, const Tr
   render.environmentScale = static_cast<float>(std::exp2(options.exposure.value_or(0)));
   render.background = plainBackground(options, format, displayExposure);
 
-  const MeshRenderer renderer(asset.positions, asset.triangles);
+  const MeshRenderer renderer(asset.positions, asset.normals, asset.triangles);
   ProgressBar bar("rendering", options.common.quiet);
   const ProgressCallback show = bar.callback();
   const InterruptGuard guard;

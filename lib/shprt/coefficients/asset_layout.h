@@ -2,15 +2,19 @@
 // specification.
 #pragma once
 
+#include <cstddef>
+
 namespace shprt::asset_layout {
 
 inline constexpr int kFormatVersion = 1;
 
-// Parts, in file order; textureCoordinates only when the mesh has any.
+// Parts, in file order; emission only when the scene has lights of its own, textureCoordinates only when the
+// mesh has any.
 inline constexpr const char* kTransfer = "transfer";
 inline constexpr const char* kPositions = "positions";
 inline constexpr const char* kNormals = "normals";
 inline constexpr const char* kAlbedo = "albedo";
+inline constexpr const char* kEmission = "emission";
 inline constexpr const char* kTextureCoordinates = "textureCoordinates";
 inline constexpr const char* kTriangles = "triangles";
 
@@ -23,6 +27,9 @@ inline constexpr const char* kRaysAttribute = "shprtRays";
 inline constexpr const char* kSeedAttribute = "shprtSeed";  // a string: EXR has no 64-bit integers
 inline constexpr const char* kToolAttribute = "shprtTool";
 inline constexpr const char* kMetadataAttribute = "shprtMetadata";
+
+inline constexpr std::size_t kMaximumPlanBytes = std::size_t{1}
+                                                 << 20;  // of the object "plan" in the metadata
 
 // Tiles of the part `transfer` are as high as the image and at most this wide.
 inline constexpr unsigned kMaximumTileWidth = 16384;

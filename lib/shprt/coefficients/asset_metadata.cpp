@@ -6,9 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "shprt/base/error.h"
+#include "shprt/base/json_input.h"
 #include "shprt/coefficients/asset_layout.h"
 #include "shprt/coefficients/basis_name.h"
-#include "shprt/base/json_input.h"
+#include "shprt/coefficients/object_ranges.h"
 
 namespace shprt {
 namespace {
@@ -19,15 +20,59 @@ int smallInteger(const JsonObject& json, const char* field) {
   return static_cast<int>(value);
 }
 
+std::string compact(const nlohmann::json& plan) {
+  return plan.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// The plan is read as the one entry of a list, so that it is nested as deep here as within the metadata, and
+// readers do not refuse what was written.
+nlohmann::ordered_json planObject(const std::filesystem::path& path, const std::string& plan) {
+  try {
+    const nlohmann::json list = parseJson("[" + plan + "]");
+    if (list.size() == 1 && list[0].is_object() && compact(list[0]).size() <= asset_layout::kMaximumPlanBytes)
+      return list[0];
+  } catch (const std::exception&) {
+    // Told below, as whatever else is no object.
+  }
+  throw Error(path.string(), "the plan to write is no JSON object of at most 1 MB");
+}
+
+void parseObjects(const std::filesystem::path& path, const nlohmann::json& list, AssetMetadata& metadata) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const JsonObject object(path.string(), "shprtMetadata.objects[" + std::to_string(i) + "]", list[i]);
+    metadata.objects.push_back({object.text("name"), object.text("file"), object.natural("firstVertex"),
+                                object.natural("vertexCount")});
+  }
+}
+
+// What scenes brought: assets of plain meshes, and those made before, have none of it.
+void parseSceneFields(const std::filesystem::path& path, const JsonObject& json, AssetMetadata& metadata) {
+  if (json.has("objects")) parseObjects(path, json.list("objects"), metadata);
+  if (json.has("bounces")) metadata.bounces = smallInteger(json, "bounces");
+  if (json.has("tailSummed")) {
+    const nlohmann::json& tailSummed = json.field("tailSummed");
+    if (!tailSummed.is_boolean()) json.fail("tailSummed", "is neither true nor false");
+    metadata.tailSummed = tailSummed.get<bool>();
+  }
+  if (json.has("plan")) {
+    const nlohmann::json& plan = json.field("plan");
+    if (!plan.is_object()) json.fail("plan", "is no object");
+    metadata.plan = compact(plan);
+    if (metadata.plan.size() > asset_layout::kMaximumPlanBytes) json.fail("plan", "is larger than 1 MB");
+  }
+}
+
 }  // namespace
 
-std::string formatMetadata(const TransferAsset& asset) {
+std::string formatMetadata(const std::filesystem::path& path, const TransferAsset& asset) {
   const AssetMetadata& metadata = asset.metadata;
   using Json = nlohmann::ordered_json;
+  const std::string problem = problemOfRanges(metadata.objects, asset.transfer.vertexCount);
+  if (!problem.empty()) throw Error(path.string(), problem);
   Json sources = Json::array();
   for (const SourceFile& source : metadata.sources)
     sources.push_back({{"file", source.file}, {"sha256", source.sha256}});
-  const Json json = {
+  Json json = {
       {"format", "shprt-transfer"},
       {"version", asset_layout::kFormatVersion},
       {"tool", metadata.toolVersion},
@@ -41,6 +86,17 @@ std::string formatMetadata(const TransferAsset& asset) {
       {"seconds", metadata.seconds},
       {"counts", metadata.counts},
       {"notes", metadata.notes}};
+  if (metadata.bounces >= 0) {
+    json["bounces"] = metadata.bounces;
+    json["tailSummed"] = metadata.tailSummed;
+  }
+  for (const ObjectRange& object : metadata.objects) {
+    json["objects"].push_back({{"name", object.name},
+                               {"file", object.file},
+                               {"firstVertex", object.firstVertex},
+                               {"vertexCount", object.vertexCount}});
+  }
+  if (!metadata.plan.empty()) json["plan"] = planObject(path, metadata.plan);
   return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -79,6 +135,7 @@ ParsedMetadata parseMetadata(const std::filesystem::path& path, const std::strin
     if (!note.is_string()) json.fail("notes", "has an entry that is no text");
     metadata.notes.push_back(note.get<std::string>());
   }
+  parseSceneFields(path, json, metadata);
   return parsed;
 }
 

@@ -8,9 +8,9 @@
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
+#include "shprt/base/json_input.h"
 #include "shprt/base/vec.h"
 #include "shprt/coefficients/basis_name.h"
-#include "shprt/base/json_input.h"
 #include "shprt/sh/basis.h"
 
 namespace shprt {

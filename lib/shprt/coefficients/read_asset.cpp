@@ -18,17 +18,12 @@
 #include "shprt/coefficients/asset_layout.h"
 #include "shprt/coefficients/asset_metadata.h"
 #include "shprt/coefficients/exr_input.h"
+#include "shprt/coefficients/object_ranges.h"
 
 namespace shprt {
 namespace {
 
 using namespace asset_layout;
-
-const char* typeName(const Imf::Header& header) {
-  const auto first = header.channels().begin();
-  if (first == header.channels().end()) return "none";
-  return first.channel().type == Imf::HALF ? "half" : first.channel().type == Imf::FLOAT ? "float" : "uint";
-}
 
 // The most that one byte of a file can stand for; 0 where an asset may not be stored so.
 std::uint64_t mostExpansion(Imf::Compression compression) {
@@ -63,12 +58,10 @@ class AssetReader {
       throw Error(path_.string(), "is an OpenEXR picture, not an asset", "give an asset made by shprt bake");
     readMetadata();
     const auto vertices = asset_.transfer.vertexCount;
-    asset_.positions.resize(checkRow(kPositions, "X,Y,Z", Imf::FLOAT, 12, vertices));
-    readRow(kPositions, {"X", "Y", "Z"}, Imf::FLOAT, asset_.positions.data(), 12);
-    asset_.normals.resize(checkRow(kNormals, "X,Y,Z", Imf::FLOAT, 12, vertices));
-    readRow(kNormals, {"X", "Y", "Z"}, Imf::FLOAT, asset_.normals.data(), 12);
-    asset_.albedo.resize(checkRow(kAlbedo, "B,G,R", Imf::FLOAT, 12, vertices));
-    readRow(kAlbedo, {"R", "G", "B"}, Imf::FLOAT, asset_.albedo.data(), 12);
+    asset_.positions = readVectors(kPositions, {"X", "Y", "Z"}, "X,Y,Z");
+    asset_.normals = readVectors(kNormals, {"X", "Y", "Z"}, "X,Y,Z");
+    asset_.albedo = readVectors(kAlbedo, {"R", "G", "B"}, "B,G,R");
+    if (find(kEmission) >= 0) asset_.emission = readVectors(kEmission, {"R", "G", "B"}, "B,G,R");
     if (find(kTextureCoordinates) >= 0) {
       asset_.textureCoordinates.resize(checkRow(kTextureCoordinates, "U,V", Imf::FLOAT, 8, vertices));
       readRow(kTextureCoordinates, {"U", "V"}, Imf::FLOAT, asset_.textureCoordinates.data(), 8);
@@ -156,6 +149,8 @@ class AssetReader {
     // Half is the least that a value takes.
     checkStorage(kTransfer, header, std::uint64_t{2} * static_cast<std::uint64_t>(transfer.channels));
     checkAttributes(header, parsed.metadata);
+    const std::string problem = problemOfRanges(parsed.metadata.objects, transfer.vertexCount);
+    if (!problem.empty()) fail("attribute shprtMetadata: " + problem);
     asset_.metadata = std::move(parsed.metadata);
   }
 
@@ -225,6 +220,15 @@ class AssetReader {
     });
   }
 
+  // One vector per vertex: a place, a direction or a colour.
+  std::vector<Vec3f> readVectors(const char* name, std::initializer_list<const char*> channels,
+                                 const char* channelsInFile) const {
+    std::vector<Vec3f> vectors(
+        checkRow(name, channelsInFile, Imf::FLOAT, sizeof(Vec3f), asset_.transfer.vertexCount));
+    readRow(name, channels, Imf::FLOAT, vectors.data(), sizeof(Vec3f));
+    return vectors;
+  }
+
   void readTransfer() {
     TransferCoefficients& transfer = asset_.transfer;
     guarded(kTransfer, [&] {
@@ -259,6 +263,7 @@ class AssetReader {
     checkFinite(kPositions, asset_.positions);
     checkFinite(kNormals, asset_.normals);
     checkFinite(kAlbedo, asset_.albedo);
+    checkFinite(kEmission, asset_.emission);
     for (std::size_t t = 0; t < asset_.triangles.size(); ++t) {
       const std::uint32_t largest = *std::max_element(asset_.triangles[t].begin(), asset_.triangles[t].end());
       if (largest >= transfer.vertexCount) {
@@ -283,23 +288,6 @@ class AssetReader {
   TransferAsset asset_;
 };
 
-const char* compressionName(Imf::Compression compression) {
-  switch (compression) {
-    case Imf::NO_COMPRESSION:
-      return "none";
-    case Imf::RLE_COMPRESSION:
-      return "rle";
-    case Imf::ZIP_COMPRESSION:
-      return "zip";
-    case Imf::ZIPS_COMPRESSION:
-      return "zips";
-    case Imf::PIZ_COMPRESSION:
-      return "piz";
-    default:
-      return "other";
-  }
-}
-
 }  // namespace
 
 bool isAssetFile(const std::filesystem::path& path) {
@@ -314,21 +302,6 @@ bool isAssetFile(const std::filesystem::path& path) {
 
 TransferAsset readAsset(const std::filesystem::path& path) {
   return AssetReader(path).read();
-}
-
-std::vector<AssetPart> listAssetParts(const std::filesystem::path& path) {
-  const auto file = openExr(path);
-  std::vector<AssetPart> parts;
-  for (int i = 0; i < file->parts(); ++i) {
-    const Imf::Header& header = file->header(i);
-    parts.push_back({header.hasName() ? header.name() : "",
-                     header.hasTileDescription()
-                         ? "tiles of " + std::to_string(header.tileDescription().xSize)
-                         : "scan lines",
-                     typeName(header), compressionName(header.compression()), channelNames(header),
-                     width(header), height(header)});
-  }
-  return parts;
 }
 
 }  // namespace shprt

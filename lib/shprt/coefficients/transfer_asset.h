@@ -39,6 +39,14 @@ struct SourceFile {
   std::string sha256;  // of its bytes
 };
 
+// Consecutive vertices of an asset that come from one object of the scene.
+struct ObjectRange {
+  std::string name;  // of the object; an object may have several ranges
+  std::string file;  // as the scene gives it
+  std::uint64_t firstVertex = 0, vertexCount = 0;
+  bool operator==(const ObjectRange&) const = default;
+};
+
 // What the asset says about itself; written as EXR attributes and as one JSON string.
 struct AssetMetadata {
   int formatVersion = 1;
@@ -50,7 +58,13 @@ struct AssetMetadata {
   std::map<std::string, double> seconds;        // spent: "load", "build", "trace", ...
   std::map<std::string, std::uint64_t> counts;  // what the loader found, left out and mended; rays traced
   std::vector<std::string> notes;
+  // In increasing order and without overlap; empty where the asset is one mesh or was made before there were
+  // scenes.
+  std::vector<ObjectRange> objects;
+  int bounces = -1;         // of light between surfaces that transfer holds; -1 where the model has none
+  bool tailSummed = false;  // whether later bounces were added as a geometric series
   // A JSON object: which effects the scene was found to call for, and what was skipped and why; "" for none.
+  // Reading puts its fields in alphabetical order.
   std::string plan;
 };
 

@@ -67,6 +67,7 @@ class AssetWriter {
       writeRow(file, part++, {"X", "Y", "Z"}, &asset_.positions[0].x, 3);
       writeRow(file, part++, {"X", "Y", "Z"}, &asset_.normals[0].x, 3);
       writeRow(file, part++, {"R", "G", "B"}, &asset_.albedo[0].x, 3);
+      if (!asset_.emission.empty()) writeRow(file, part++, {"R", "G", "B"}, &asset_.emission[0].x, 3);
       if (!asset_.textureCoordinates.empty())
         writeRow(file, part++, {"U", "V"}, &asset_.textureCoordinates[0].x, 2);
       writeTriangles(file, part);
@@ -90,6 +91,7 @@ class AssetWriter {
                   "split the mesh");
     }
     if (asset_.positions.size() != count || asset_.normals.size() != count || asset_.albedo.size() != count ||
+        (!asset_.emission.empty() && asset_.emission.size() != count) ||
         (!asset_.textureCoordinates.empty() && asset_.textureCoordinates.size() != count)) {
       throw Error(name_.string(), "the asset's parts have different numbers of vertices");
     }
@@ -152,10 +154,12 @@ class AssetWriter {
     header.insert(kRaysAttribute, Imf::IntAttribute(asset_.metadata.rays));
     header.insert(kSeedAttribute, Imf::StringAttribute(std::to_string(asset_.metadata.seed)));
     header.insert(kToolAttribute, Imf::StringAttribute(asset_.metadata.toolVersion));
-    header.insert(kMetadataAttribute, Imf::StringAttribute(formatMetadata(asset_)));
+    header.insert(kMetadataAttribute, Imf::StringAttribute(formatMetadata(name_, asset_)));
     headers.push_back(makeHeader(kPositions, transfer.vertexCount, 1, {"X", "Y", "Z"}, Imf::FLOAT));
     headers.push_back(makeHeader(kNormals, transfer.vertexCount, 1, {"X", "Y", "Z"}, Imf::FLOAT));
     headers.push_back(makeHeader(kAlbedo, transfer.vertexCount, 1, {"R", "G", "B"}, Imf::FLOAT));
+    if (!asset_.emission.empty())
+      headers.push_back(makeHeader(kEmission, transfer.vertexCount, 1, {"R", "G", "B"}, Imf::FLOAT));
     if (!asset_.textureCoordinates.empty())
       headers.push_back(makeHeader(kTextureCoordinates, transfer.vertexCount, 1, {"U", "V"}, Imf::FLOAT));
     headers.push_back(makeHeader(kTriangles, asset_.triangles.size(), 1, {"A", "B", "C"}, Imf::UINT));

@@ -5,8 +5,11 @@
 #include <cstddef>
 #include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "shprt/base/parallel.h"
+#include "shprt/mesh/mesh.h"
+#include "shprt/mesh/opposite_triangles.h"
 #include "shprt/picture/camera_fit.h"
 #include "shprt/picture/pixel_samples.h"
 #include "shprt/picture/render.h"
@@ -80,26 +83,61 @@ Vec3d behind(const RenderOptions& options, Vec3d direction) {
 }  // namespace
 
 struct MeshRenderer::Impl {
-  Impl(std::span<const Vec3f> filePositions, std::span<const std::array<std::uint32_t, 3>> meshTriangles)
-      : frame(chooseSceneFrame(filePositions)),
-        triangles(meshTriangles.begin(), meshTriangles.end()),
-        caster(prepare(filePositions)) {}
+  Impl(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
+       std::span<const std::array<std::uint32_t, 3>> triangles)
+      : frame(chooseSceneFrame(positions)),
+        mesh(makeMesh(toScene(frame, positions), normals, triangles)),
+        opposite(oppositeTriangles(mesh)),
+        ball(boundingBall(mesh.positions)),
+        caster(mesh.positions, mesh.triangles) {}
 
-  RayCaster prepare(std::span<const Vec3f> filePositions) {
-    const std::vector<Vec3f> positions = toScene(frame, filePositions);
-    ball = boundingBall(positions);
-    return RayCaster(positions, triangles);
+  static Mesh makeMesh(std::vector<Vec3f> positions, std::span<const Vec3f> normals,
+                       std::span<const std::array<std::uint32_t, 3>> triangles) {
+    Mesh mesh;
+    mesh.positions = std::move(positions);
+    mesh.normals.assign(normals.begin(), normals.end());
+    mesh.triangles.assign(triangles.begin(), triangles.end());
+    return mesh;
+  }
+
+  Vec3f position(std::uint32_t triangle, std::size_t corner) const {
+    return mesh.positions[mesh.triangles[triangle][corner]];
+  }
+
+  // Whether something that comes along the direction meets the triangle's front.
+  bool facesAgainst(Vec3d direction, std::uint32_t triangle) const {
+    const Vec3d origin = toDouble(position(triangle, 0));
+    const Vec3d across =
+        cross(toDouble(position(triangle, 1)) - origin, toDouble(position(triangle, 2)) - origin);
+    Vec3d outside;
+    for (const std::uint32_t corner : mesh.triangles[triangle]) outside += toDouble(mesh.normals[corner]);
+    return dot(across, direction) * dot(across, outside) < 0;
+  }
+
+  // Which of two triangles back to back a ray meets is chance; this is the one that it sees.
+  RayHit towardsEye(const RayHit& hit, Vec3d direction) const {
+    const std::uint32_t other = opposite[hit.triangle];
+    if (other == kNoTriangle || facesAgainst(direction, hit.triangle) || !facesAgainst(direction, other))
+      return hit;
+    const std::array<float, 3> weights = {1 - hit.u - hit.v, hit.u, hit.v};
+    const auto weightAt = [&](Vec3f place) {
+      std::size_t corner = 0;
+      while (corner < 2 && position(hit.triangle, corner) != place) ++corner;
+      return weights[corner];
+    };
+    return {hit.distance, other, weightAt(position(other, 1)), weightAt(position(other, 2))};
   }
 
   SceneFrame frame;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  Mesh mesh;                            // positions, in the scene's frame, normals and triangles only
+  std::vector<std::uint32_t> opposite;  // per triangle
   Ball ball;
   RayCaster caster;
 };
 
-MeshRenderer::MeshRenderer(std::span<const Vec3f> positions,
+MeshRenderer::MeshRenderer(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
                            std::span<const std::array<std::uint32_t, 3>> triangles)
-    : impl_(std::make_unique<Impl>(positions, triangles)) {}
+    : impl_(std::make_unique<Impl>(positions, normals, triangles)) {}
 
 MeshRenderer::~MeshRenderer() = default;
 
@@ -113,9 +151,10 @@ Image MeshRenderer::render(const Camera& camera, std::span<const Vec3f> radiance
   const auto seen = [&](Vec3d direction) {
     Vec3d origin = eye;
     if (!advanceTo(impl_->ball, origin, direction)) return behind(options, direction);
-    const RayHit hit = impl_->caster.intersect(toFloat(origin), toFloat(direction));
-    if (hit.distance < 0) return behind(options, direction);
-    const std::array<std::uint32_t, 3>& corners = impl_->triangles[hit.triangle];
+    const RayHit nearest = impl_->caster.intersect(toFloat(origin), toFloat(direction));
+    if (nearest.distance < 0) return behind(options, direction);
+    const RayHit hit = impl_->towardsEye(nearest, direction);
+    const std::array<std::uint32_t, 3>& corners = impl_->mesh.triangles[hit.triangle];
     const double u = hit.u, v = hit.v;
     return toDouble(radiance[corners[0]]) * (1 - u - v) + toDouble(radiance[corners[1]]) * u +
            toDouble(radiance[corners[2]]) * v;

@@ -37,10 +37,14 @@ struct RenderOptions {
   float environmentScale = 1;
 };
 
-// Prepares the mesh once, renders many frames (turntables).
+// Prepares the mesh once, renders many frames (turntables). A triangle shows the same radiance from both
+// sides; of two that lie back to back, as a two-sided surface is held, the one is seen whose front (the side
+// on which its corners' normals are) faces the eye.
 class MeshRenderer {
  public:
-  MeshRenderer(std::span<const Vec3f> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
+  // normals: one per position.
+  MeshRenderer(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
+               std::span<const std::array<std::uint32_t, 3>> triangles);
   ~MeshRenderer();
 
   // radiance: linear, one per vertex.

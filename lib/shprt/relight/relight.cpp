@@ -1,6 +1,7 @@
 #include "shprt/relight/relight.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 
 #include "shprt/base/parallel.h"
@@ -64,6 +65,17 @@ std::vector<Vec3f> relight(const TransferCoefficients& transfer, const LightCoef
     for (std::size_t v = begin; v < end; ++v) {
       radiance[v] = toFloat({sums[0][v - begin], sums[1][v - begin], sums[2][v - begin]});
     }
+  });
+  return radiance;
+}
+
+std::vector<Vec3f> relight(const TransferAsset& asset, const LightCoefficients& light, double emissionScale) {
+  std::vector<Vec3f> radiance = relight(asset.transfer, light);
+  if (asset.emission.empty()) return radiance;
+  assert(asset.emission.size() == radiance.size() && emissionScale >= 0);
+  parallelForBlocks(radiance.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      radiance[v] = toFloat(toDouble(radiance[v]) + toDouble(asset.emission[v]) * emissionScale);
   });
   return radiance;
 }

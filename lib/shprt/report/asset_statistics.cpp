@@ -50,6 +50,21 @@ void measureVisibility(const TransferAsset& asset, AssetStatistics& statistics) 
   statistics.maximumVisibility = most;
 }
 
+void measureEmission(const std::vector<Vec3f>& emission, AssetStatistics& statistics) {
+  if (emission.empty()) return;
+  float least = std::numeric_limits<float>::infinity(), most = -least;
+  std::size_t lit = 0;
+  for (const Vec3f& radiance : emission) {
+    const auto [low, high] = std::minmax({radiance.x, radiance.y, radiance.z});
+    least = std::min(least, low);
+    most = std::max(most, high);
+    lit += high > 0;
+  }
+  statistics.minimumEmission = least;
+  statistics.maximumEmission = most;
+  statistics.emissionShare = static_cast<double>(lit) / static_cast<double>(emission.size());
+}
+
 }  // namespace
 
 AssetStatistics measureAsset(const TransferAsset& asset) {
@@ -61,6 +76,7 @@ AssetStatistics measureAsset(const TransferAsset& asset) {
   for (int l = 0; l <= asset.transfer.degree; ++l)
     statistics.bandEnergy.push_back(bandEnergy(asset.transfer, l));
   measureVisibility(asset, statistics);
+  measureEmission(asset.emission, statistics);
   return statistics;
 }
 

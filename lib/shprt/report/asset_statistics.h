@@ -14,6 +14,9 @@ struct AssetStatistics {
   // Cosine-weighted share of the sky that vertices see, mean and extremes over those that reflect anything;
   // all 0 when none does. Interreflected light counts as sky seen, so it may exceed 1 there.
   double meanVisibility = 0, minimumVisibility = 0, maximumVisibility = 0;
+  // Of the radiance that the scene's own lights cause, over vertices and colours; all 0 without any.
+  float minimumEmission = 0, maximumEmission = 0;
+  double emissionShare = 0;  // of the vertices: those with any colour above 0
 };
 
 AssetStatistics measureAsset(const TransferAsset& asset);

@@ -54,8 +54,8 @@ class Tally {
   long double squares_ = 0, referenceSquares_ = 0;
 };
 
-void compareGeometry(Comparison& comparison, const char* name, std::size_t count, const Tolerance& tolerance,
-                     const std::function<std::pair<double, double>(std::size_t)>& values) {
+void comparePart(Comparison& comparison, const char* name, std::size_t count, const Tolerance& tolerance,
+                 const std::function<std::pair<double, double>(std::size_t)>& values) {
   Tally tally(tolerance);
   for (std::size_t i = 0; i < count; ++i) {
     const auto [a, b] = values(i);
@@ -74,7 +74,7 @@ double component(const Vec3f& v, std::size_t i) {
 
 void compareVectors(Comparison& comparison, const char* name, const std::vector<Vec3f>& a,
                     const std::vector<Vec3f>& b, const Tolerance& tolerance) {
-  compareGeometry(comparison, name, 3 * a.size(), tolerance, [&](std::size_t i) {
+  comparePart(comparison, name, 3 * a.size(), tolerance, [&](std::size_t i) {
     return std::pair(component(a[i / 3], i % 3), component(b[i / 3], i % 3));
   });
 }
@@ -137,10 +137,15 @@ Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const T
   compareVectors(comparison, "positions", a.positions, b.positions, tolerance);
   compareVectors(comparison, "normals", a.normals, b.normals, tolerance);
   compareVectors(comparison, "albedo", a.albedo, b.albedo, tolerance);
+  if (a.emission.size() != b.emission.size()) {
+    comparison.differingParts.push_back("emission: only one of them has any");
+  } else {
+    compareVectors(comparison, "emission", a.emission, b.emission, tolerance);
+  }
   if (a.textureCoordinates.size() != b.textureCoordinates.size()) {
     comparison.differingParts.push_back("textureCoordinates: only one of them has any");
   } else {
-    compareGeometry(
+    comparePart(
         comparison, "textureCoordinates", 2 * a.textureCoordinates.size(), tolerance, [&](std::size_t i) {
           const Vec2f ta = a.textureCoordinates[i / 2], tb = b.textureCoordinates[i / 2];
           return i % 2 == 0 ? std::pair<double, double>(ta.x, tb.x) : std::pair<double, double>(ta.y, tb.y);
@@ -214,7 +219,7 @@ std::string formatComparison(const Comparison& comparison, const std::string& na
                           worst.vertex, worst.error, worst.coefficient, bandOf(worst.coefficient));
     }
   }
-  for (const std::string& part : comparison.differingParts) text += "geometry          " + part + "\n";
+  for (const std::string& part : comparison.differingParts) text += "part              " + part + "\n";
   return text + fmt::format("{}: {} and {}", comparison.equal() ? "equal within tolerance" : "DIFFERENT",
                             nameA, nameB);
 }

@@ -36,8 +36,8 @@ struct Comparison {
   Differences total;
   std::vector<Differences> perDegree;       // coefficient and light files
   std::vector<WorstVertex> worst;           // coefficient files, up to 5, worst first
-  std::vector<std::string> differingParts;  // assets: geometry parts that differ ("positions: 3 values beyond
-                                            // tolerance, max 1e-3")
+  std::vector<std::string> differingParts;  // assets: parts beside the transfer that differ ("positions: 3
+                                            // values beyond tolerance, max 1e-3")
   bool equal() const { return comparable && total.beyond == 0 && differingParts.empty(); }
 };
 
