@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Bakes the shared kitchen (289 OBJ files, 1.05 million triangles) as one mesh and prints time and peak memory beside the
-# asset's size. Usage: bench/kitchen.sh [SHPRT] [SHARED_DIR]; needs /usr/bin/time (Debian package time).
+# asset's size. Usage: [MODEL=shadowed] [RAYS=256] bench/kitchen.sh [SHPRT] [SHARED_DIR]; needs /usr/bin/time (Debian package time).
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
 shprt=${1:-$source/build/release/tools/shprt/shprt} shared=${2:-$source/../shared}
@@ -22,5 +22,6 @@ find "$folder" -name '*.obj' | sort | while read -r file; do cat "$file"; echo "
            }
            print line}' >"$folder/kitchen.obj"
 
-/usr/bin/time -f "peak memory         %M kB" "$shprt" bake "$folder/kitchen.obj" -o "$folder/kitchen.prt.exr" --rays "${RAYS:-256}"
+/usr/bin/time -f "peak memory         %M kB" "$shprt" bake "$folder/kitchen.obj" -o "$folder/kitchen.prt.exr" --rays "${RAYS:-256}" \
+  --model "${MODEL:-shadowed}"
 echo "asset               $(($(stat -c %s "$folder/kitchen.prt.exr") / 1024)) kB"

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "shprt/base/progress.h"
 #include "shprt/base/vec.h"
 #include "shprt/coefficients/transfer_asset.h"
 #include "shprt/scene/scene.h"
+#include "shprt/transfer/prepared_scene.h"
 
 namespace shprt {
 
@@ -20,7 +22,7 @@ struct BounceStatistics {
 };
 
 struct BakeStatistics {
-  std::uint64_t rays = 0;         // rays traced
+  std::uint64_t rays = 0;         // rays decided, traced or spared
   double buildSeconds = 0;        // acceleration structure
   double traceSeconds = 0;        // rays and accumulation
   double bounceSeconds = 0;       // all bounces
@@ -29,15 +31,22 @@ struct BakeStatistics {
       1;  // mean over baked vertices of the visible share of the cosine-weighted hemisphere
   std::uint64_t fullyVisible = 0;  // receivers' vertices
   std::uint64_t fullyHidden = 0;
-  std::uint64_t samplePoints = 0;         // distinct (position, normal) that were baked
-  std::uint64_t buriedVertices = 0;       // inside other geometry; filled from their neighbours
-  std::uint64_t hits = 0;                 // rays that ended on a surface
-  std::uint64_t hitBytes = 0;             // memory that held them
-  std::uint64_t retracedPoints = 0;       // whose rays were traced anew for every bounce, for lack of memory
+  std::uint64_t unoccludedPoints = 0;  // with nothing above their tangent plane: exact, without rays
+  std::uint64_t raysSpared = 0;        // decided without being traced
+  std::uint64_t samplePoints = 0;      // distinct (position, normal) that were baked
+  std::uint64_t buriedVertices =
+      0;                       // receivers' vertices inside other geometry; filled from their neighbours
+  std::uint64_t hits = 0;      // rays that ended on a surface, front or back, blockers' rays included
+  std::uint64_t hitBytes = 0;  // memory that held those on fronts
+  // Whose rays were traced anew for every bounce, for lack of memory. Where it lacks, this and hitBytes
+  // depend on the order in which threads came.
+  std::uint64_t retracedPoints = 0;
   std::vector<BounceStatistics> bounces;  // in order
   double spectralRadius =
-      0;                    // the ratio of the last bounces' norms, largest over channels; 0 without bounces
-  double remainder = 0;     // bound on what further bounces would add, in the units of BounceStatistics::norm
+      0;  // the ratio of the last bounces' norms, largest over channels; 0 without bounces
+  // Bound on what further bounces would add, in the units of BounceStatistics::norm; or, if larger, what they
+  // would add of the scene's own lights, over all that those brought (see bounce_series.h).
+  double remainder = 0;
   bool tailSummed = false;  // whether that was added as a geometric series
 };
 
@@ -56,26 +65,40 @@ struct ShadowedOptions {
   int degree = 4;
   int rays = 256;  // per vertex
   std::uint64_t seed = 1;
+  // Trace from points that nothing stands above, too: the same transfer, later.
+  bool traceEverything = false;
 };
 
-// Transfer with shadows that all objects cast, by cosine-distributed rays (see shadowed.cpp). The scene must
-// not emit: what its lights reach only bakeInterreflected knows.
+// Transfer with shadows that all objects cast, by cosine-distributed rays (see shadowed.cpp). Vertices that
+// lie inside other geometry get what their neighbours have, as in bakeInterreflected. The scene must not
+// emit: what its lights reach only bakeInterreflected knows.
+Bake bakeShadowed(const PreparedScene& prepared, const ShadowedOptions& options,
+                  const ProgressCallback& progress = {});
 Bake bakeShadowed(const Scene& scene, const ShadowedOptions& options, const ProgressCallback& progress = {});
+// The same surfaces with other albedo: an entry per vertex.
+Bake bakeShadowed(const PreparedScene& prepared, std::span<const Vec3f> albedo,
+                  const ShadowedOptions& options, const ProgressCallback& progress = {});
 
 struct InterreflectedOptions {
   int degree = 4;
   int rays = 256;  // per vertex
   std::uint64_t seed = 1;
   // How often light may bounce between surfaces before it reaches a vertex; 0 is shadowed transfer with
-  // emitters seen directly. Without a number: until what remains is below `error`, and then the rest as a
-  // geometric series.
-  std::optional<int> bounces;
-  double error = 0.01;  // in the units of BounceStatistics::norm
+  // emitters seen directly. Without a number: until what remains is at most `error`, and then the rest as a
+  // geometric series; after 1000 bounces it stops in any case.
+  std::optional<int> bounces = {};
+  double error = 0.01;  // of `remainder` in BakeStatistics; above 0
   std::uint64_t hitMemory = std::uint64_t{2}
                             << 30;  // bytes of hits to keep; rays beyond are traced anew for every bounce
+  bool traceEverything = false;     // as ShadowedOptions
 };
 
-// Transfer with shadows and light that bounces between diffuse surfaces (see interreflected.cpp).
+// Transfer with shadows and light that bounces between diffuse surfaces, and what the scene's own lights send
+// to each vertex (see interreflected.cpp). Fronts reflect and emit, backs are black. Vertices that lie inside
+// other geometry, and see only backs, get what their neighbours on the same smooth surface have
+// (buried_points.h). Same bits whatever the threads and hitMemory.
+Bake bakeInterreflected(const PreparedScene& prepared, const InterreflectedOptions& options,
+                        const ProgressCallback& progress = {});
 Bake bakeInterreflected(const Scene& scene, const InterreflectedOptions& options,
                         const ProgressCallback& progress = {});
 

@@ -10,6 +10,12 @@
 
 namespace shprt {
 
+// A place on a triangle: barycentrics u, v of corners 1 and 2.
+struct SurfacePoint {
+  std::uint32_t triangle = 0;
+  float u = 0, v = 0;
+};
+
 // A point is a distinct pair of position and normal: what is baked once and shared by the render vertices
 // that differ only in texture coordinate or material.
 class SurfaceTopology {
@@ -21,6 +27,7 @@ class SurfaceTopology {
   std::span<const std::uint32_t> positionIds() const { return positionIds_; }  // per vertex
   std::span<const std::uint32_t> pointIds() const { return pointIds_; }        // per vertex
   std::span<const Triangle> triangles() const { return mesh_->triangles; }
+  const Mesh& mesh() const { return *mesh_; }
   Vec3d normal(std::uint32_t vertex) const { return normalize(toDouble(mesh_->normals[vertex])); }
 
   std::size_t pointCount() const { return pointStarts_.size() - 1; }

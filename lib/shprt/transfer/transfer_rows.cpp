@@ -21,16 +21,30 @@ void UnshadowedTransfer::evaluate(Vec3d normal, std::span<double> results) const
     }
 }
 
-TransferCoefficients makeTransfer(std::span<const Vec3f> albedo, int degree) {
+bool isGrey(const Scene& scene) {
+  const auto isGreyColour = [](Vec3f a) { return a.x == a.y && a.y == a.z; };
+  if (!std::all_of(scene.albedo.begin(), scene.albedo.end(), isGreyColour)) return false;
+  for (const Image& texture : scene.textures)
+    for (int y = 0; y < texture.height; ++y)
+      for (int x = 0; x < texture.width; ++x)
+        if (!isGreyColour(texture.at(x, y))) return false;
+  return true;
+}
+
+TransferCoefficients makeTransfer(int channels, std::size_t vertexCount, int degree) {
   TransferCoefficients transfer;
   transfer.degree = degree;
+  transfer.channels = channels;
+  transfer.vertexCount = vertexCount;
+  transfer.values.resize(static_cast<std::size_t>(channels) * static_cast<std::size_t>(transfer.rows()) *
+                         vertexCount);
+  return transfer;
+}
+
+TransferCoefficients makeTransfer(std::span<const Vec3f> albedo, int degree) {
   const bool grey =
       std::all_of(albedo.begin(), albedo.end(), [](Vec3f a) { return a.x == a.y && a.y == a.z; });
-  transfer.channels = grey ? 1 : 3;
-  transfer.vertexCount = albedo.size();
-  transfer.values.resize(static_cast<std::size_t>(transfer.channels) *
-                         static_cast<std::size_t>(transfer.rows()) * albedo.size());
-  return transfer;
+  return makeTransfer(grey ? 1 : 3, albedo.size(), degree);
 }
 
 void storeTransfer(std::span<const double> transfer, Vec3f albedo, std::size_t vertex,

@@ -24,6 +24,12 @@ class UnshadowedTransfer {
   std::vector<double> bandFactors_;  // A_l / pi
 };
 
+// Whether every albedo is grey, textures included: one channel serves all three then.
+bool isGrey(const Scene& scene);
+
+// Zeroed coefficients.
+TransferCoefficients makeTransfer(int channels, std::size_t vertexCount, int degree);
+
 // Zeroed coefficients for as many vertices as albedo has; one channel where every albedo is grey, else three.
 TransferCoefficients makeTransfer(std::span<const Vec3f> albedo, int degree);
 

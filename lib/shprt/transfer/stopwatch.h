@@ -1,0 +1,17 @@
+// Seconds that a step of a bake takes.
+#pragma once
+
+#include <chrono>
+
+namespace shprt {
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace shprt
