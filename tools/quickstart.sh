@@ -22,6 +22,8 @@ mkdir -p "$out"
 "$shprt" relight "$out/knot.prt.exr" data/studio.hdr --window hann -o "$out/knot_studio.png"
 "$shprt" bake data/courtyard.obj -o "$out/courtyard.prt.exr"
 "$shprt" relight "$out/courtyard.prt.exr" "$out/sky.json" --rotate axis:0,1,0,40 -o "$out/courtyard_sky.png"
+"$shprt" bake data/cornell.json -o "$out/cornell.prt.exr" --rays 2048
+"$shprt" relight "$out/cornell.prt.exr" -o "$out/cornell_lamp.png" --size 720x720 --camera "eye:0,1,4.2 target:0,1,0 fov:34"
 
 echo
 echo "Pictures:"

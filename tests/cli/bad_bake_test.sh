@@ -41,9 +41,60 @@ refused 2 bake $in/cube.obj -o out.prt.exr --model glossy && says --model
 refused 2 bake $in/cube.obj -o out.prt.exr --compression rar && says --compression
 refused 2 bake $in/cube.obj -o out.prt.exr --unknown && says --unknown
 refused 2 bake $in/cube.obj && says --output
-refused 2 bake -o out.prt.exr && says MESH
+refused 2 bake -o out.prt.exr && says SCENE
 refused 2 && says subcommand
 refused 2 cook $in/cube.obj && says cook
+# --- bake: effects, bounces, refinement -----------------------------------------------------------------------------
+refused 2 bake $in/cube.obj -o out.prt.exr --effects shadow && says --effects
+refused 2 bake $in/cube.obj -o out.prt.exr --effects auto --model shadowed && says --model
+refused 2 bake $in/cube.obj -o out.prt.exr --model shadowed --bounces 2 && says --bounces
+refused 2 bake $in/cube.obj -o out.prt.exr --bounces -1 && says --bounces
+refused 2 bake $in/cube.obj -o out.prt.exr --degree auto && says --light
+refused 2 bake $in/cube.obj -o out.prt.exr --light $l && says --degree
+refused 2 bake $in/cube.obj -o out.prt.exr --degree auto --light $l --model shadowed && says --degree
+refused 1 bake $in/cube.obj -o out.prt.exr --degree auto --light missing.json && says missing.json
+refused 2 bake $in/cube.obj -o out.prt.exr --fit --model unshadowed && says --fit
+for error in 0 -1 2 nan; do refused 2 bake $in/cube.obj -o out.prt.exr --error $error && says --error; done
+for edge in 0 -1 inf long ''; do refused 2 bake $in/cube.obj -o out.prt.exr --max-edge "$edge" && says --max-edge; done
+refused 1 bake $in/cube.obj -o out.prt.exr --max-edge 1e-6 && says --max-edge
+for memory in -1 1.5G G 1X 99999999999999999999; do
+  refused 2 bake $in/cube.obj -o out.prt.exr --memory "$memory" && says --memory
+done
+# --- bake: scenes ---------------------------------------------------------------------------------------------------
+scene() { printf '%s' "$1" >$in/scene.json; }
+scene '{"objects":[{"file":"cube.obj","colour":1}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says 'objects[0].colour'
+scene '{"objects":[{"file":"missing.obj"}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says missing.obj
+scene '{"objects":[{"file":"cube.obj","role":"blocker"}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says receiver
+scene '{"objects":[{"file":"cube.obj","transform":{"scale":0}}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says 'objects[0].transform.scale'
+scene '{"objects":[{"file":"cube.obj","material":{"emission":-1}}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says 'objects[0].material.emission'
+scene '{"objects":[{"file":"cube.obj","name":"a\nb"}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says 'objects[0].name'
+scene '{"objects":[{"file":"cube.obj","file":"corner.obj"}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says twice
+ln -sf loop.obj $in/loop.obj
+scene '{"objects":[{"file":"loop.obj"}]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says 'objects[0].file'
+scene '{"objects":[{"file":"corner.obj","material":{"emission":3.3e38,"albedo":1}}]}'
+refused 1 bake $in/scene.json -o out.prt.exr --rays 8 && says emission
+scene '{"objects":[{"name":"a","file":"cube.obj"}]}'
+refused 2 bake $in/scene.json -o out.prt.exr --per-mesh --json out_a.prt.exr && says --json
+scene '{"objects":[]}'
+refused 1 bake $in/scene.json -o out.prt.exr && says objects
+scene '{"objects":[{"file":"cube.obj"}'
+refused 1 bake $in/scene.json -o out.prt.exr && says scene.json
+scene '{"objects":[{"file":"cube.obj"}]}'
+refused 1 bake $in/scene.json -o $in/cube.obj.prt.exr --json $in/cube.obj && says cube.obj
+# --- plan -----------------------------------------------------------------------------------------------------------
+refused 1 plan missing.obj && says missing.obj
+refused 1 plan $in/cube.obj missing.json && says missing.json
+refused 2 plan && says SCENE
+refused 2 plan $in/cube.obj --degree x && says --degree
+refused 1 plan $in/cube.obj --json $in/cube.obj && says cube.obj
 full_disk bake $in/corner.obj -o out.prt.exr --rays 16
 
 # Standard output that cannot take the data; for diff that is not "different".

@@ -23,6 +23,12 @@ for suffix in csv json png ply; do
   refused 1 relight $a $l -o $in/full.$suffix --quiet --exposure 0 && says full.$suffix
 done
 refused 2 relight $a -o out.png && says LIGHT
+printf '{"objects":[{"file":"corner.obj","material":{"emission":1}}]}' >$in/room.json
+"$shprt" bake $in/room.json -o $in/room.prt.exr --rays 16 --degree 1 --quiet
+refused 2 relight $a $l -o out.png --emission 1 && says --emission
+refused 2 relight $in/room.prt.exr $l -o out.png --emission -1 && says --emission
+refused 2 relight $in/room.prt.exr -o out.png --turntable 3 && says --turntable
+refused 2 relight $in/room.prt.exr -o out.png --rotate axis:0,1,0,3 && says --rotate
 refused 2 relight $a $l -o out.png --size 0x10 && says --size
 refused 2 relight $a $l -o out.png --size 640 && says --size
 refused 2 relight $a $l -o out.png --size 640x && says --size

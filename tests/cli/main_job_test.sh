@@ -31,8 +31,8 @@ exits 2 run diff corner.prt.exr probe.pfm
 exits 2 run diff corner.prt.exr missing.prt.exr
 check "a closed cube sees everything" grep -q '"meanVisibility": 1.0' cube_bake.json
 check "hard edges: 24 vertices" grep -q '"vertices": 24' cube_bake.json
-check "bake says what it did" run bake cube.obj -o cube_again.prt.exr >summary.txt
-for word in '24 vertices' '12 triangles' 'Mrays/s' '0.8 grey' 'mean visibility' 'cube_again.prt.exr'; do
+check "bake says what it did" run bake corner.obj -o corner_again.prt.exr >summary.txt
+for word in '50 vertices' '64 triangles' 'Mrays/s' '0.8 grey' 'mean visibility' 'interreflection' 'corner_again.prt.exr'; do
   check "the summary mentions $word" grep -q "$word" summary.txt
 done
 quiet bake cube.obj -o nothing.prt.exr >quiet.txt 2>&1

@@ -9,7 +9,7 @@ mkdir -p "$work"
 awk '/^```python$/ {inside = 1; next} /^```/ {inside = 0} inside' "$source/docs/file-formats.md" >"$work/reader.py"
 [ -s "$work/reader.py" ] || { echo "docs/file-formats.md has no Python reader"; exit 1; }
 "$shprt" project-probe "$source/data/studio.hdr" -o "$work/light.json" --quiet
-for asset in knot.ply courtyard.obj; do  # one channel, and three
+for asset in knot.ply courtyard.obj cornell.json; do  # one channel, three, and light of its own
   "$shprt" bake "$source/data/$asset" -o "$work/asset.prt.exr" --rays 32 --quiet
   "$python" "$work/reader.py" "$work/asset.prt.exr" "$work/light.json" >"$work/python.txt"
   "$shprt" relight "$work/asset.prt.exr" "$work/light.json" -o "$work/own.csv" --quiet

@@ -10,8 +10,8 @@ mkdir -p "$work"
 cd "$source"  # so that assets name their sources as data/...
 
 # Few rays and a low degree keep the files small; half precision too, so the tolerance is that of half.
-"$shprt" bake data/knot.ply -o "$work/knot.prt.exr" --degree 2 --rays 64 --half --compression zip --quiet
-"$shprt" bake data/courtyard.obj -o "$work/courtyard.prt.exr" --degree 2 --rays 64 --half --compression zip --quiet
+"$shprt" bake data/knot.ply -o "$work/knot.prt.exr" --model shadowed --degree 2 --rays 64 --half --compression zip --quiet
+"$shprt" bake data/courtyard.obj -o "$work/courtyard.prt.exr" --model shadowed --degree 2 --rays 64 --half --compression zip --quiet
 "$shprt" bake data/courtyard.obj -o "$work/courtyard_unshadowed.prt.exr" --model unshadowed --degree 1 --half --compression zip --quiet
 "$shprt" project-probe data/sky.hdr -o "$work/sky.json" --degree 8 --quiet
 "$shprt" project-probe data/studio.hdr -o "$work/studio.json" --window auto --quiet
@@ -37,7 +37,7 @@ compare sky.json --rtol 1e-9 --atol 1e-12
 compare studio.json --rtol 1e-9 --atol 1e-12
 
 # The comparison must be able to fail: another albedo is another bake.
-if "$shprt" bake data/knot.ply -o "$work/other.prt.exr" --degree 2 --rays 64 --albedo 0.5 --half --quiet &&
+if "$shprt" bake data/knot.ply -o "$work/other.prt.exr" --model shadowed --degree 2 --rays 64 --albedo 0.5 --half --quiet &&
    "$shprt" diff "$golden/knot.prt.exr" "$work/other.prt.exr" --atol 0.02 --rtol 1e-3 --quiet; then
   echo "a bake of another albedo passed as equal"
   failed=1

@@ -36,6 +36,7 @@ Comparison compareFiles(const DiffOptions& options) {
       return compareImages(loadImage(options.a).image, loadImage(options.b).image, options.tolerance);
     case FileKind::kLightList:
       return notComparable("lists of lights are not compared; project both first");
+    case FileKind::kScene:
     case FileKind::kMesh:
       break;
   }

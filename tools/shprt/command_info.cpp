@@ -2,11 +2,10 @@
 #include <fmt/core.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <system_error>
-#include <utility>
 
+#include "asset_report.h"
 #include "commands.h"
 #include "console.h"
 #include "file_kind.h"
@@ -14,107 +13,16 @@
 #include "mesh_report.h"
 #include "options.h"
 #include "output.h"
+#include "scene_report.h"
 #include "shprt/base/error.h"
-#include "shprt/coefficients/asset_file.h"
 #include "shprt/image/environment.h"
 #include "shprt/light/light_list.h"
 #include "shprt/mesh/load_mesh.h"
-#include "shprt/report/asset_statistics.h"
 
 namespace shprt {
 namespace {
 
 constexpr int kListDegree = 4;  // at which a list of lights is looked at
-
-// What the loader and the bake counted, in words and where there is anything to tell.
-void printCounts(const Console& console, const std::map<std::string, std::uint64_t>& counts) {
-  constexpr std::pair<const char*, const char*> kWords[] = {{"sourceVertices", "vertices in source"},
-                                                            {"sourceFaces", "faces in source"},
-                                                            {"badIndexFaces", "bad index, left out"},
-                                                            {"nonFiniteFaces", "NaN corner, left out"},
-                                                            {"shortFaces", "short faces, left out"},
-                                                            {"zeroAreaTriangles", "no area, left out"},
-                                                            {"nonFiniteVertices", "NaN vertices"},
-                                                            {"unreferencedVertices", "unused vertices"},
-                                                            {"generatedNormals", "normals computed"},
-                                                            {"samplePoints", "points baked"},
-                                                            {"rays", "rays"},
-                                                            {"fullyVisible", "see everything"},
-                                                            {"fullyHidden", "see nothing"}};
-  for (const auto& [name, words] : kWords) {
-    const auto count = counts.find(name);
-    if (count != counts.end() && count->second > 0) console.field(words, formatCount(count->second));
-  }
-}
-
-Json describeAsset(const Console& console, const std::string& path) {
-  const TransferAsset asset = readAsset(path);
-  const std::vector<AssetPart> parts = listAssetParts(path);
-  const AssetMetadata& metadata = asset.metadata;
-  console.field("asset",
-                fmt::format("{}, {}, format version {}, made by shprt {}", path, formatBytes(fileSize(path)),
-                            metadata.formatVersion, metadata.toolVersion));
-  console.field(
-      "model", fmt::format("{}, degree {}, {} per vertex, seed {}", metadata.model, asset.transfer.degree,
-                           countOf(static_cast<std::uint64_t>(metadata.rays), "ray", "rays"), metadata.seed));
-  console.field("mesh", fmt::format("{}, {}{}", countOf(asset.positions.size(), "vertex", "vertices"),
-                                    countOf(asset.triangles.size(), "triangle", "triangles"),
-                                    asset.textureCoordinates.empty() ? "" : ", texture coordinates"));
-  console.field("transfer", asset.transfer.channels == 1 ? "one channel for all colours" : "three channels");
-  Json sources = Json::array(), partList = Json::array();
-  for (const SourceFile& source : metadata.sources) {
-    console.field("source", source.file + "  sha256 " + source.sha256);
-    sources.push_back({{"file", source.file}, {"sha256", source.sha256}});
-  }
-  for (const char* step : {"load", "build", "trace"}) {
-    if (const auto seconds = metadata.seconds.find(step); seconds != metadata.seconds.end())
-      console.field(std::string("seconds to ") + step, fmt::format("{:.3f}", seconds->second));
-  }
-  printCounts(console, metadata.counts);
-  for (const std::string& note : metadata.notes) console.field("note", note);
-  const AssetStatistics statistics = measureAsset(asset);
-  console.field("sky seen", fmt::format("{:.4f} on average, {:.4f} to {:.4f}", statistics.meanVisibility,
-                                        statistics.minimumVisibility, statistics.maximumVisibility));
-  console.field("coefficients", fmt::format("{:.5g} to {:.5g}", statistics.minimum, statistics.maximum));
-  for (std::size_t l = 0; l < statistics.bandEnergy.size(); ++l)
-    console.field(fmt::format("energy of band {}", l), fmt::format("{:.4g}", statistics.bandEnergy[l]));
-  for (const AssetPart& part : parts) {
-    console.field("part " + part.name,
-                  fmt::format("{} x {}, {} {}, {}, {}", part.width, part.height, part.channels,
-                              part.pixelType, part.type, part.compression));
-    partList.push_back({{"name", part.name},
-                        {"type", part.type},
-                        {"pixelType", part.pixelType},
-                        {"compression", part.compression},
-                        {"channels", part.channels},
-                        {"width", part.width},
-                        {"height", part.height}});
-  }
-  return {{"kind", "asset"},
-          {"bytes", fileSize(path)},
-          {"formatVersion", metadata.formatVersion},
-          {"toolVersion", metadata.toolVersion},
-          {"model", metadata.model},
-          {"degree", asset.transfer.degree},
-          {"channels", asset.transfer.channels},
-          {"rays", metadata.rays},
-          {"seed", metadata.seed},
-          {"vertices", asset.positions.size()},
-          {"triangles", asset.triangles.size()},
-          {"textureCoordinates", !asset.textureCoordinates.empty()},
-          {"sources", sources},
-          {"seconds", metadata.seconds},
-          {"counts", metadata.counts},
-          {"notes", metadata.notes},
-          {"visibility",
-           {{"mean", statistics.meanVisibility},
-            {"minimum", statistics.minimumVisibility},
-            {"maximum", statistics.maximumVisibility}}},
-          {"minimum", statistics.minimum},
-          {"maximum", statistics.maximum},
-          {"bandEnergy", statistics.bandEnergy},
-          {"parts", partList}};
-}
 
 Json describeLight(const Console& console, const LightCoefficients& light, const std::string& heading) {
   console.field("light", heading);
@@ -149,6 +57,38 @@ Json describeLightList(const Console& console, const std::string& path) {
   for (const std::string& note : list.notes) console.field("note", note);
   figures["notes"] = list.notes;
   return figures;
+}
+
+Json describeScene(const Console& console, const std::string& path) {
+  const Scene scene = loadScene(path);
+  printScene(console, path, scene, {});
+  console.field("vertices", formatCount(scene.mesh.positions.size()));
+  console.field("triangles", formatCount(scene.mesh.triangles.size()));
+  Json objects = Json::array(), materials = Json::array();
+  for (const SceneObject& object : scene.objects)
+    objects.push_back({{"name", object.name},
+                       {"file", object.file},
+                       {"role", object.role == Role::kReceiver ? "receiver" : "blocker"}});
+  for (const SurfaceMaterial& material : scene.materials) {
+    const Vec3f a = material.albedo, e = material.emission;
+    std::string text = fmt::format(
+        "'{}': {}", material.name,
+        material.texture ? std::string("texture") : fmt::format("albedo {:g} {:g} {:g}", a.x, a.y, a.z));
+    if (material.emission != Vec3f{}) text += fmt::format(", emission {:g} {:g} {:g}", e.x, e.y, e.z);
+    if (material.twoSided) text += ", two-sided";
+    console.field("material", text);
+    materials.push_back({{"name", material.name},
+                         {"albedo", {a.x, a.y, a.z}},
+                         {"textured", material.texture.has_value()},
+                         {"twoSided", material.twoSided},
+                         {"emission", {e.x, e.y, e.z}}});
+  }
+  return {{"kind", "scene"},
+          {"objects", objects},
+          {"materials", materials},
+          {"vertices", scene.mesh.positions.size()},
+          {"triangles", scene.mesh.triangles.size()},
+          {"notes", describeLoading(scene)}};
 }
 
 Json describeMesh(const Console& console, const std::string& path) {
@@ -231,6 +171,8 @@ Json describeFile(const Console& console, const std::string& path) {
       return describeLightFile(console, path);
     case FileKind::kLightList:
       return describeLightList(console, path);
+    case FileKind::kScene:
+      return describeScene(console, path);
     case FileKind::kMesh:
       return describeMesh(console, path);
     case FileKind::kImage:

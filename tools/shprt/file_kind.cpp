@@ -41,6 +41,7 @@ FileKind fileKind(const std::string& path) {
   checkInput(path);
   if (isAssetFile(path) || isNamedAsset(path)) return FileKind::kAsset;
   const JsonOutline json = outlineJson(path);
+  if (json.object && json.hasObjects) return FileKind::kScene;
   if (json.object) return json.hasLights ? FileKind::kLightList : FileKind::kLight;
   return hasMeshSuffix(path) ? FileKind::kMesh : FileKind::kImage;
 }
@@ -53,6 +54,8 @@ const char* kindName(FileKind kind) {
       return "a light file";
     case FileKind::kLightList:
       return "a list of lights";
+    case FileKind::kScene:
+      return "a scene";
     case FileKind::kMesh:
       return "a mesh";
     case FileKind::kImage:

@@ -5,7 +5,7 @@
 
 namespace shprt {
 
-enum class FileKind { kAsset, kLight, kLightList, kMesh, kImage };
+enum class FileKind { kAsset, kLight, kLightList, kScene, kMesh, kImage };
 
 // Throws Error unless path is a file or a folder: what is tried as one kind and then another cannot be a pipe
 // or device. A pattern with %s, for six faces, passes.
@@ -15,7 +15,7 @@ void checkInput(const std::string& path);
 // what is wrong.
 FileKind fileKind(const std::string& path);
 
-// "an asset", "a light file", "a list of lights", "a mesh", "an image".
+// "an asset", "a light file", "a list of lights", "a scene", "a mesh", "an image".
 const char* kindName(FileKind kind);
 
 }  // namespace shprt

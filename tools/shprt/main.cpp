@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
       "Exit codes: 0 done, 1 bad data, 2 bad usage; of diff: 0 equal, 1 different, 2 not comparable.");
   shprt::Command chosen;
   shprt::addBakeCommand(app, chosen);
+  shprt::addPlanCommand(app, chosen);
   shprt::addProjectProbeCommand(app, chosen);
   shprt::addRelightCommand(app, chosen);
   shprt::addConvertCommand(app, chosen);

@@ -104,6 +104,38 @@ CLI::Option* addNumber(CLI::App& app, const std::string& name, std::optional<dou
   return addText(app, name, rangeName(minimum, maximum), take, description);
 }
 
+CLI::Option* addIntegerOrAuto(CLI::App& app, const std::string& name, std::optional<int>& value, int minimum,
+                              int maximum, const std::string& description) {
+  const auto take = [=, &value](const std::string& text) {
+    if (text == "auto") {
+      value.reset();
+      return;
+    }
+    const std::optional<int> number = parseWhole<int>(text);
+    if (!number || *number < minimum || *number > maximum)
+      refuse(name, text, fmt::format("a whole number from {} to {}, or auto", minimum, maximum));
+    value = number;
+  };
+  return addText(app, name, fmt::format("{}..{}|auto", minimum, maximum), take, description)
+      ->default_str(value ? std::to_string(*value) : "auto");
+}
+
+CLI::Option* addBytes(CLI::App& app, const std::string& name, std::uint64_t& bytes,
+                      const std::string& description) {
+  static constexpr std::string_view kUnits = "KMGT";
+  const auto take = [=, &bytes](const std::string& text) {
+    std::string_view digits = text;
+    const std::size_t unit = text.empty() ? std::string_view::npos : kUnits.find(text.back());
+    if (unit != std::string_view::npos) digits.remove_suffix(1);
+    const int shift = unit == std::string_view::npos ? 0 : 10 * (static_cast<int>(unit) + 1);
+    const std::optional<std::uint64_t> number = parseWhole<std::uint64_t>(digits);
+    if (!number || *number > (std::numeric_limits<std::uint64_t>::max() >> shift))
+      refuse(name, text, "a number of bytes such as 500M or 2G");
+    bytes = *number << shift;
+  };
+  return addText(app, name, "SIZE", take, description);
+}
+
 CLI::Option* addColour(CLI::App& app, const std::string& name, std::optional<Vec3f>& value, double minimum,
                        double maximum, const std::string& description) {
   const auto take = [=, &value](const std::string& text) {

@@ -23,6 +23,12 @@ CLI::Option* addNumber(CLI::App& app, const std::string& name, double& value, do
                        const std::string& description);
 CLI::Option* addNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double minimum,
                        double maximum, const std::string& description);
+// A whole number or "auto", which leaves value empty.
+CLI::Option* addIntegerOrAuto(CLI::App& app, const std::string& name, std::optional<int>& value, int minimum,
+                              int maximum, const std::string& description);
+// Bytes: a whole number, or one with K, M, G or T for powers of 1024.
+CLI::Option* addBytes(CLI::App& app, const std::string& name, std::uint64_t& bytes,
+                      const std::string& description);
 // "r,g,b" or one number for all three.
 CLI::Option* addColour(CLI::App& app, const std::string& name, std::optional<Vec3f>& value, double minimum,
                        double maximum, const std::string& description);

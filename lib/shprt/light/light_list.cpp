@@ -8,8 +8,8 @@
 
 #include "shprt/base/error.h"
 #include "shprt/base/file.h"
-#include "shprt/coefficients/asset_file.h"
 #include "shprt/base/json_input.h"
+#include "shprt/coefficients/asset_file.h"
 #include "shprt/image/environment.h"
 #include "shprt/light/project_probe.h"
 #include "shprt/sh/basis.h"
