@@ -17,7 +17,7 @@ inline double uniformLight(const Bake& bake, std::size_t vertex, int channel = 0
 }
 
 // The part of the unit sphere below height top, lit from inside; pole at the bottom.
-inline Mesh makeBowl(double top, int rings, int sides) {
+inline Mesh makeBowlBelow(double top, int rings, int sides) {
   Mesh mesh;
   const double end = std::acos(-top);  // polar angle from the bottom
   for (int i = 0; i <= rings; ++i)

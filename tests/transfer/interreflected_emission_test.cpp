@@ -9,14 +9,14 @@
 namespace shprt {
 namespace {
 
-using test::makeBowl;
+using test::makeBowlBelow;
 using test::PatchBeforeWall;
 
 // A part of a sphere fills its own fraction of every hemisphere inside it, again and again, each colour
 // by its own albedo.
 TEST(Interreflected, GlowingBowlIsAGeometricSeriesToo) {
   const double fraction = 0.6;
-  const Mesh bowl = makeBowl(2 * fraction - 1, 16, 32);
+  const Mesh bowl = makeBowlBelow(2 * fraction - 1, 16, 32);
   for (const Vec3f albedo : {Vec3f{0.5f, 0.5f, 0.5f}, Vec3f{0.5f, 0.25f, 0}}) {
     Scene scene = makeScene(bowl, std::vector<Vec3f>(bowl.positions.size(), albedo));
     scene.materials[0].emission = {1, 2, 0.5f};

@@ -17,7 +17,7 @@
 namespace shprt {
 namespace {
 
-using test::makeBowl;
+using test::makeBowlBelow;
 using test::PatchBeforeWall;
 using test::uniformLight;
 
@@ -31,7 +31,7 @@ double largestDifference(const TransferCoefficients& a, const TransferCoefficien
 }
 
 Mesh twoSpheresInABowl() {
-  Mesh mesh = makeBowl(0.2, 8, 16);
+  Mesh mesh = makeBowlBelow(0.2, 8, 16);
   test::append(mesh, test::moved(test::makeIcosphere(2), 0.3, {0.2, -0.5, 0}));
   test::append(mesh, test::moved(test::makeIcosphere(1), 0.2, {-0.4, -0.2, 0.1}));
   return mesh;
@@ -76,7 +76,7 @@ TEST(Interreflected, OneBounceOffAWallIsItsFormFactorTimesItsUnshadowedTransfer)
 // its own: its share is what its visibility says.
 TEST(Interreflected, BowlUnderAUniformSkyIsAGeometricSeries) {
   const double fraction = 0.6, albedo = 0.8;
-  const Mesh bowl = makeBowl(2 * fraction - 1, 24, 48);
+  const Mesh bowl = makeBowlBelow(2 * fraction - 1, 24, 48);
   const Scene scene = test::grey(bowl, static_cast<float>(albedo));
   for (const int bounces : {0, 1, 3, -1}) {
     InterreflectedOptions options{.degree = 0, .rays = 256, .seed = 1, .error = 1e-3};
