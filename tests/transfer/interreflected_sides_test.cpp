@@ -1,6 +1,8 @@
 // Fronts, backs, and what lies inside other geometry.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include <cmath>
 #include <numbers>
 
@@ -117,6 +119,21 @@ TEST(InterreflectedSides, BuriedVerticesTakeWhatTheirNeighboursHave) {
   EXPECT_EQ(bake.statistics.buriedVertices, buried + 1);
   // Those that neighbours can fill.
   EXPECT_EQ(shadowed.statistics.buriedVertices, buried + 1 - bottom);
+}
+
+// Fits bake with an albedo of their own. What is filled has to follow it, as the rest does.
+TEST(InterreflectedSides, BuriedVerticesTakeTheAlbedoAskedFor) {
+  Mesh mesh = test::makeBox({-0.1, -0.55, -0.1}, {0.2, 2, 0.2}, 1, 10);
+  test::append(mesh, test::makeBox({-1, -2, -1}, {2, 2, 2}, 4));
+  const Scene scene = test::grey(mesh, 0.25f);
+  const PreparedScene prepared(scene);
+  const ShadowedOptions options{.degree = 1, .rays = 64, .seed = 1};
+  const Bake own = bakeShadowed(prepared, options);
+  const Bake asked =
+      bakeShadowed(prepared, std::vector<Vec3f>(mesh.positions.size(), Vec3f{1, 1, 1}), options);
+  ASSERT_GT(own.statistics.buriedVertices, 0u);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    EXPECT_FLOAT_EQ(uniformLight(asked, v), 4 * uniformLight(own, v)) << v;
 }
 
 TEST(InterreflectedSides, WhollyBuriedThingsStayBlack) {

@@ -77,7 +77,7 @@ Bake bakeShadowed(const PreparedScene& prepared, std::span<const Vec3f> albedo,
     fillBuried(prepared, lattice, options, hidden, [&](std::uint32_t point, std::span<const double> filled) {
       for (const std::uint32_t vertex : topology.verticesOfPoint(point)) {
         if (!scene.isReceiver(vertex)) continue;
-        storeTransfer(filled, scene.albedo[vertex], vertex, bake.transfer);
+        storeTransfer(filled, albedo[vertex], vertex, bake.transfer);
         ++statistics.buriedVertices;
       }
     });
