@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace shprt::test {
@@ -14,6 +15,12 @@ inline std::string scratch(const std::string& name) {
                                        (std::string(test.test_suite_name()) + "." + test.name());
   std::filesystem::create_directories(folder);
   return (folder / name).string();
+}
+
+inline std::string writeScratch(const std::string& name, const std::string& bytes) {
+  const std::string path = scratch(name);
+  std::ofstream(path, std::ios::binary) << bytes;
+  return path;
 }
 
 }  // namespace shprt::test

@@ -16,12 +16,6 @@
 
 namespace shprt::test {
 
-inline std::string writeScratch(const std::string& name, const std::string& bytes) {
-  const std::string path = scratch(name);
-  std::ofstream(path, std::ios::binary) << bytes;
-  return path;
-}
-
 inline Mesh loadText(const std::string& name, const std::string& bytes, const LoadMeshOptions& options = {}) {
   return loadMesh(writeScratch(name, bytes), options).mesh;
 }

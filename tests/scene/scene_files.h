@@ -13,12 +13,6 @@
 
 namespace shprt::test {
 
-inline std::string writeScratch(const std::string& name, const std::string& bytes) {
-  const std::string path = scratch(name);
-  std::ofstream(path, std::ios::binary) << bytes;
-  return path;
-}
-
 // One triangle in the plane z = 0, facing +z; the legs along x and y have these lengths.
 inline std::string triangleObj(double x = 1, double y = 1) {
   return "v 0 0 0\nv " + std::to_string(x) + " 0 0\nv 0 " + std::to_string(y) + " 0\nf 1 2 3\n";

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "commands.h"
-#include "interrupt.h"
 #include "light_arguments.h"
 #include "mesh_report.h"
 #include "output.h"
@@ -46,16 +45,6 @@ void checkEmission(const std::string& path, const std::vector<Vec3f>& emission) 
               "make their emission darker, and brighten it with relight --emission or --exposure");
 }
 
-// Long work with a bar, ended by Ctrl-C between two steps.
-template <typename Work>
-auto withProgress(const char* label, const BakeOptions& options, const Work& work) {
-  ProgressBar bar(label, options.common.quiet);
-  const InterruptGuard guard;
-  auto result = work(bar.callback());
-  throwIfInterrupted();
-  return result;
-}
-
 // What bounces is refined wherever it reflects; shadows need no more than what is baked.
 Refined refine(const BakeOptions& options, Scene& scene) {
   const Stopwatch watch;
@@ -66,27 +55,16 @@ Refined refine(const BakeOptions& options, Scene& scene) {
   if (options.maxEdge->length) {
     scene = splitLongEdges(std::move(scene), *options.maxEdge->length, objects).scene;
   } else {
-    AdaptiveRefinement adaptive = withProgress("refining", options, [&](const ProgressCallback& progress) {
-      return refineAdaptively(std::move(scene), {.seed = options.seed, .objects = objects}, progress);
-    });
+    AdaptiveRefinement adaptive =
+        withProgress("refining", options.common.quiet, [&](const ProgressCallback& progress) {
+          return refineAdaptively(std::move(scene), {.seed = options.seed, .objects = objects}, progress);
+        });
     scene = std::move(adaptive.refined.scene);
     refined.report = std::move(adaptive.report);
   }
   refined.verticesAfter = scene.mesh.positions.size();
   refined.seconds = watch.seconds();
   return refined;
-}
-
-std::vector<LightCoefficients> loadLights(const Console& console, const BakeOptions& options) {
-  // Looked at to a degree beyond any that is likely to be chosen.
-  constexpr int kLightDegree = 16;
-  std::vector<LightCoefficients> lights;
-  for (const std::string& path : options.lights) {
-    LoadedLight light = loadLight(path, {kLightDegree, {}, false, false});
-    for (const std::string& note : light.notes) console.note(path + ": " + note);
-    lights.push_back(std::move(light.light));
-  }
-  return lights;
 }
 
 BakeRequest requestOf(const BakeOptions& options) {
@@ -106,7 +84,7 @@ BakeRequest requestOf(const BakeOptions& options) {
 
 EffectPlan makePlan(const BakeOptions& options, const PreparedScene& prepared,
                     const std::vector<LightCoefficients>& lights) {
-  return withProgress("planning", options, [&](const ProgressCallback& progress) {
+  return withProgress("planning", options.common.quiet, [&](const ProgressCallback& progress) {
     return planEffects(prepared, lights,
                        {.degree = options.degree,
                         .rays = options.rays,
@@ -135,14 +113,15 @@ BakeOutcome runBakeSteps(const Console& console, const BakeOptions& options,
   const Stopwatch loadWatch;
   outcome.scene = loadScene(options.scene, options.loading);
   outcome.loadSeconds = loadWatch.seconds();
+  std::vector<std::filesystem::path> sources = outcome.scene.sources;
+  const std::vector<LightCoefficients> lights = loadPlanLights(console, options.lights, {}, sources);
   for (const SceneObject& object : outcome.scene.objects) {
     if (object.role != Role::kReceiver) continue;
     checkOutput(assetFile(options, object), inputs);
-    checkNotInput(assetFile(options, object), outcome.scene.sources);
+    checkNotInput(assetFile(options, object), sources);
     checkDistinct(assetFile(options, object), options.common);
   }
-  checkNotInput(options.common.jsonFile, outcome.scene.sources);
-  const std::vector<LightCoefficients> lights = loadLights(console, options);
+  checkNotInput(options.common.jsonFile, sources);
   if (options.maxEdge) outcome.refined = refine(options, outcome.scene);
   checkMemory(options.scene, outcome.scene.mesh.positions.size(), options.degree.value_or(4));
 
@@ -156,12 +135,12 @@ BakeOutcome runBakeSteps(const Console& console, const BakeOptions& options,
     checkMemory(options.scene, outcome.scene.mesh.positions.size(), outcome.request.degree);
   }
   if (options.fit) {
-    outcome.fit = withProgress("baking", options, [&](const ProgressCallback& progress) {
+    outcome.fit = withProgress("baking", options.common.quiet, [&](const ProgressCallback& progress) {
       return bakeRequestedFitted(prepared, outcome.request, {}, progress);
     });
     outcome.bake = std::move(outcome.fit->bake);
   } else {
-    outcome.bake = withProgress("baking", options, [&](const ProgressCallback& progress) {
+    outcome.bake = withProgress("baking", options.common.quiet, [&](const ProgressCallback& progress) {
       return bakeRequested(prepared, outcome.request, progress);
     });
   }

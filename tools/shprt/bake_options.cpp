@@ -13,7 +13,7 @@
 namespace shprt {
 namespace {
 
-constexpr int kMostRays = 65536, kMostBounces = 1000;
+constexpr int kMostBounces = 1000;
 
 EffectChoice parseEffects(const std::string& text) {
   EffectChoice choice;
@@ -102,7 +102,7 @@ void addBakeOptions(CLI::App& sub, BakeOptions& options) {
                    "Highest spherical-harmonic band; auto: the least that --light calls for");
   sub.add_option("--light", options.lights, "Light that --degree auto is to serve; may be repeated")
       ->type_name("LIGHT");
-  addInteger(sub, "--rays", options.rays, 1, kMostRays, "Rays per vertex");
+  addRays(sub, options.rays);
   addIntegerOrAuto(sub, "--bounces", options.bounces, 0, kMostBounces,
                    "How often light bounces between surfaces; auto: until the rest is below --error");
   sub.add_option_function<std::string>(
@@ -111,11 +111,7 @@ void addBakeOptions(CLI::App& sub, BakeOptions& options) {
       ->type_name("LENGTH|auto");
   sub.add_flag("--fit", options.fit,
                "Fit the vertices to samples all over the triangles, for coarse meshes (least squares)");
-  addColour(sub, "--albedo", options.loading.albedo, 0, 1,
-            "Albedo of everything, one number or r,g,b (default: as the materials say, else 0.8)");
-  sub.add_flag("--two-sided", options.loading.twoSided, "Bake both sides of every triangle");
-  addNumber(sub, "--crease-angle", options.loading.creaseAngleDegrees, 0, 180,
-            "Compute normals even where the file has some; edges sharper than this many degrees stay hard");
+  addLoadingOptions(sub, options.loading);
   addBytes(
       sub, "--memory", options.hitMemory,
       "Memory for the rays' hits, such as 500M (default: 2G); what does not fit is traced anew for every "

@@ -29,15 +29,14 @@ std::vector<std::uint32_t> verticesWhere(std::size_t count, const auto& wanted) 
 }
 
 // The assets to write: one, or one per receiver.
-std::vector<std::string> writeAssets(const BakeOptions& options, TransferAsset&& whole,
-                                     const std::vector<std::uint32_t>& vertexObjects,
-                                     const std::vector<SceneObject>& objects) {
-  const auto isReceiver = [&](std::uint32_t vertex) {
-    return objects[vertexObjects[vertex]].role == Role::kReceiver;
-  };
+std::vector<std::string> writeAssets(const BakeOptions& options, TransferAsset&& whole, const Scene& scene) {
+  const std::vector<SceneObject>& objects = scene.objects;
+  const std::vector<std::uint32_t>& vertexObjects = scene.vertexObjects;
   if (!options.perMesh) {
     writeAsset(options.output,
-               selectVertices(std::move(whole), verticesWhere(vertexObjects.size(), isReceiver)),
+               selectVertices(std::move(whole),
+                              verticesWhere(vertexObjects.size(),
+                                            [&](std::uint32_t vertex) { return scene.isReceiver(vertex); })),
                options.writing);
     return {options.output};
   }
@@ -63,11 +62,9 @@ int runBake(const BakeOptions& options, const CLI::App& parsed) {
   setThreadCount(options.threads);
 
   BakeOutcome outcome = runBakeSteps(console, options, inputs);
-  const std::vector<std::uint32_t> vertexObjects = outcome.scene.vertexObjects;
-  const std::vector<SceneObject> objects = outcome.scene.objects;
   TransferAsset asset = makeAsset(options, outcome);
   const AssetMetadata metadata = asset.metadata;
-  const std::vector<std::string> files = writeAssets(options, std::move(asset), vertexObjects, objects);
+  const std::vector<std::string> files = writeAssets(options, std::move(asset), outcome.scene);
   const double seconds = watch.seconds();
   printOutcome(console, options, outcome, metadata);
   for (const std::string& file : files)

@@ -3,14 +3,13 @@
 
 #include <memory>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "commands.h"
 #include "console.h"
 #include "file_kind.h"
-#include "interrupt.h"
 #include "light_arguments.h"
 #include "options.h"
 #include "output.h"
@@ -25,28 +24,15 @@
 namespace shprt {
 namespace {
 
-constexpr int kMostRays = 65536;
-// Lights are looked at to here, to know what a lower degree leaves out.
-constexpr int kLightDegree = 16;
-
 struct PlanCommandOptions {
   std::string scene;
   std::vector<std::string> lights;
   LoadSceneOptions loading;
-  LightOptions light{kLightDegree, {}, false, false};
+  std::optional<EnvironmentLayout> layout;
   PlanOptions plan;
   int threads = 0;
   CommonOptions common;
 };
-
-EffectPlan makePlan(const PlanCommandOptions& options, const Scene& scene,
-                    const std::vector<LightCoefficients>& lights) {
-  ProgressBar bar("planning", options.common.quiet);
-  const InterruptGuard guard;
-  EffectPlan plan = planEffects(scene, lights, options.plan, bar.callback());
-  throwIfInterrupted();
-  return plan;
-}
 
 int runPlan(const PlanCommandOptions& options) {
   const Console console = makeConsole(options.common, "");
@@ -57,22 +43,17 @@ int runPlan(const PlanCommandOptions& options) {
   setThreadCount(options.threads);
 
   const Scene scene = loadScene(options.scene, options.loading);
-  checkNotInput(options.common.jsonFile, scene.sources);
-  std::vector<LightCoefficients> lights;
-  for (const std::string& path : options.lights) {
-    LoadedLight light = loadLight(path, options.light);
-    checkNotInput(options.common.jsonFile, light.sources);
-    for (const std::string& note : light.notes) console.note(path + ": " + note);
-    lights.push_back(std::move(light.light));
-  }
+  std::vector<std::filesystem::path> sources = scene.sources;
+  const std::vector<LightCoefficients> lights =
+      loadPlanLights(console, options.lights, options.layout, sources);
+  checkNotInput(options.common.jsonFile, sources);
 
-  const EffectPlan plan = makePlan(options, scene, lights);
-  const std::string text = formatPlan(plan);
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t end = rest.find('\n');
-    console.line(rest.substr(0, end));
-    rest.remove_prefix(end + 1);
-  }
+  const EffectPlan plan = withProgress(
+      "planning", options.common.quiet,
+      [&](const ProgressCallback& progress) { return planEffects(scene, lights, options.plan, progress); });
+  std::string table = formatPlan(plan);
+  table.pop_back();  // line() ends it
+  console.line(table);
   Json figures = Json::parse(planToJson(plan));
   figures["command"] = "plan";
   figures["tool"] = kVersion;
@@ -96,14 +77,10 @@ void addPlanCommand(CLI::App& app, Command& chosen) {
             "What may be left out, relative to the unshadowed transfer");
   addIntegerOrAuto(sub, "--degree", options->plan.degree, 0, kMaximumBakeDegree,
                    "Highest band of the transfer; auto: the least that the lights call for");
-  addInteger(sub, "--rays", options->plan.rays, 1, kMostRays, "Rays per vertex of the bake");
-  addColour(sub, "--albedo", options->loading.albedo, 0, 1,
-            "Albedo of everything, one number or r,g,b (default: as the materials say, else 0.8)");
-  sub.add_flag("--two-sided", options->loading.twoSided, "Plan for both sides of every triangle");
-  addNumber(sub, "--crease-angle", options->loading.creaseAngleDegrees, 0, 180,
-            "Compute normals even where the file has some; edges sharper than this many degrees stay hard");
+  addRays(sub, options->plan.rays);
+  addLoadingOptions(sub, options->loading);
   sub.add_flag("--half", options->plan.half, "Plan for 16-bit halves instead of 32-bit floats");
-  addLayout(sub, options->light.layout);
+  addLayout(sub, options->layout);
   addSeed(sub, options->plan.seed);
   addThreads(sub, options->threads);
   addCommonOptions(sub, options->common);

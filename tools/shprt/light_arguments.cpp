@@ -70,6 +70,20 @@ LoadedLight loadLight(const std::string& path, const LightOptions& options) {
   return loaded;
 }
 
+std::vector<LightCoefficients> loadPlanLights(const Console& console, const std::vector<std::string>& paths,
+                                              std::optional<EnvironmentLayout> layout,
+                                              std::vector<std::filesystem::path>& sources) {
+  constexpr int kDegree = 16;
+  std::vector<LightCoefficients> lights;
+  for (const std::string& path : paths) {
+    LoadedLight light = loadLight(path, {.degree = kDegree, .layout = layout});
+    for (const std::string& note : light.notes) console.note(path + ": " + note);
+    sources.insert(sources.end(), light.sources.begin(), light.sources.end());
+    lights.push_back(std::move(light.light));
+  }
+  return lights;
+}
+
 CLI::Option* addLayout(CLI::App& app, std::optional<EnvironmentLayout>& layout) {
   const auto parse = [&layout](const std::string& text) {
     layout = text == "auto" ? std::nullopt : std::optional(parseLayout(text));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "console.h"
 #include "options.h"
 #include "shprt/coefficients/light_coefficients.h"
 #include "shprt/image/environment.h"
@@ -18,8 +19,8 @@ namespace shprt {
 inline constexpr int kMaximumLightDegree = 1000;
 
 struct LightOptions {
-  int degree = 4;                           // of lists and images; a light file keeps its own
-  std::optional<EnvironmentLayout> layout;  // of images; empty means automatic
+  int degree = 4;                                // of lists and images; a light file keeps its own
+  std::optional<EnvironmentLayout> layout = {};  // of images; empty means automatic
   bool clampNegative = false;
   bool strict = false;  // refuse bad pixels
 };
@@ -34,6 +35,12 @@ struct LoadedLight {
 
 // Throws Error. --layout with anything but an image is a UsageError, and so is an image of too high a degree.
 LoadedLight loadLight(const std::string& path, const LightOptions& options);
+
+// The lights that a plan is for, looked at to a degree beyond any that is likely to be chosen; notes go to
+// the console. Adds every file that was read to sources. Throws as loadLight.
+std::vector<LightCoefficients> loadPlanLights(const Console& console, const std::vector<std::string>& paths,
+                                              std::optional<EnvironmentLayout> layout,
+                                              std::vector<std::filesystem::path>& sources);
 
 // --layout
 CLI::Option* addLayout(CLI::App& app, std::optional<EnvironmentLayout>& layout);

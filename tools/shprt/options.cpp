@@ -217,6 +217,19 @@ CLI::Option* addDegree(CLI::App& app, int& degree) {
   return addInteger(app, "--degree", degree, 0, kMaximumBakeDegree, "Highest spherical-harmonic band");
 }
 
+CLI::Option* addRays(CLI::App& app, int& rays) {
+  constexpr int kMostRays = 65536;
+  return addInteger(app, "--rays", rays, 1, kMostRays, "Rays per vertex");
+}
+
+void addLoadingOptions(CLI::App& app, LoadSceneOptions& loading) {
+  addColour(app, "--albedo", loading.albedo, 0, 1,
+            "Albedo of everything, one number or r,g,b (default: as the materials say, else 0.8)");
+  app.add_flag("--two-sided", loading.twoSided, "Bake both sides of every triangle");
+  addNumber(app, "--crease-angle", loading.creaseAngleDegrees, 0, 180,
+            "Compute normals even where the file has some; edges sharper than this many degrees stay hard");
+}
+
 void addCommonOptions(CLI::App& app, CommonOptions& common) {
   app.add_flag("-q,--quiet", common.quiet, "Print nothing but errors");
   app.add_option("--json", common.jsonFile, "Write the figures as JSON; - for standard output")

@@ -9,6 +9,7 @@
 
 #include "console.h"
 #include "shprt/base/vec.h"
+#include "shprt/scene/load_scene.h"
 
 namespace shprt {
 
@@ -49,6 +50,10 @@ void noteCorrection(const Console& console, const std::optional<RotationArgument
 CLI::Option* addRotation(CLI::App& app, std::optional<RotationArgument>& rotation);
 CLI::Option* addExposure(CLI::App& app, std::optional<double>& exposure, const std::string& description);
 CLI::Option* addDegree(CLI::App& app, int& degree);
+
+CLI::Option* addRays(CLI::App& app, int& rays);
+// How a scene or mesh is read.
+void addLoadingOptions(CLI::App& app, LoadSceneOptions& loading);
 
 struct CommonOptions {
   bool quiet = false;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 
+#include "interrupt.h"
 #include "shprt/base/progress.h"
 
 namespace shprt {
@@ -28,5 +29,15 @@ class ProgressBar {
   bool quiet_, terminal_, drawn_ = false;
   Clock::time_point start_, shown_;
 };
+
+// The result of work(callback): long work with a bar, which Ctrl-C ends between two steps.
+template <typename Work>
+auto withProgress(const char* label, bool quiet, const Work& work) {
+  ProgressBar bar(label, quiet);
+  const InterruptGuard guard;
+  auto result = work(bar.callback());
+  throwIfInterrupted();
+  return result;
+}
 
 }  // namespace shprt

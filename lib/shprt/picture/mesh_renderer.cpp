@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "shprt/base/box.h"
 #include "shprt/base/parallel.h"
 #include "shprt/mesh/mesh.h"
 #include "shprt/mesh/opposite_triangles.h"
@@ -48,12 +49,7 @@ struct Ball {
 };
 
 Ball boundingBall(std::span<const Vec3f> positions) {
-  Vec3d low = toDouble(positions[0]), high = low;
-  for (const Vec3f& position : positions) {
-    const Vec3d p = toDouble(position);
-    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y), std::fmin(low.z, p.z)};
-    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y), std::fmax(high.z, p.z)};
-  }
+  const auto [low, high] = boxAround(positions);
   return {(low + high) * 0.5, length(high - low) * 0.5 * (1 + 1e-6)};
 }
 

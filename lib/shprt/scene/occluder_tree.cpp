@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shprt/base/box.h"
 #include "shprt/base/parallel.h"
 
 namespace shprt {
@@ -146,12 +147,9 @@ void sortByCode(std::vector<std::uint64_t>& keys) {
 // The numbers of the triangles along a Morton curve through their middles.
 std::vector<std::uint32_t> mortonOrder(std::span<const Vec3f> positions,
                                        std::span<const std::array<std::uint32_t, 3>> triangles) {
-  Vec3f low = positions[triangles[0][0]], high = low;
-  for (const Vec3f p : positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const float extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const Box box = boxAround(positions);
+  const Vec3f low = toFloat(box.low);
+  const auto extent = static_cast<float>(box.extent());
   // A third of a cell count, for sums of three corners.
   const float cells = extent > 0 ? 1023.0f / 3 / extent : 0;
   std::vector<std::uint64_t> keys(triangles.size());

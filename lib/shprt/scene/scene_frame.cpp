@@ -1,9 +1,9 @@
 #include "shprt/scene/scene_frame.h"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
+
+#include "shprt/base/box.h"
 
 namespace shprt {
 namespace {
@@ -19,16 +19,11 @@ double exactShift(double low, double high) {
 }  // namespace
 
 SceneFrame chooseSceneFrame(std::span<const Vec3f> positions) {
-  assert(!positions.empty());
-  Vec3d low = toDouble(positions[0]), high = low;
-  for (const Vec3f& position : positions) {
-    const Vec3d p = toDouble(position);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
+  const Box box = boxAround(positions);
+  const auto [low, high] = box;
   SceneFrame frame;
   frame.offset = {exactShift(low.x, high.x), exactShift(low.y, high.y), exactShift(low.z, high.z)};
-  const double extent = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double extent = box.extent();
   if (extent > 0) frame.scale = std::ldexp(1.0, -std::ilogb(extent));
   return frame;
 }

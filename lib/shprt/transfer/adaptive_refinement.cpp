@@ -8,22 +8,13 @@
 #include <unordered_map>
 #include <utility>
 
+#include "shprt/base/box.h"
 #include "shprt/transfer/bake.h"
 #include "shprt/transfer/twin_transfers.h"
 #include "shprt/transfer/vertices_below.h"
 
 namespace shprt {
 namespace {
-
-double extentOf(std::span<const Vec3f> positions) {
-  Vec3d low = toDouble(positions[0]), high = low;
-  for (const Vec3f& position : positions) {
-    const Vec3d p = toDouble(position);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-}
 
 // A white scene in which only the wanted vertices are baked.
 Scene probeScene(const Mesh& mesh, const std::vector<bool>& wanted) {
@@ -51,7 +42,7 @@ class Refiner {
  public:
   Refiner(Scene scene, const AdaptiveRefinementOptions& options, const ProgressCallback& progress)
       : options_(options), progress_(progress), transfers_(options.degree) {
-    const double extent = extentOf(scene.mesh.positions);
+    const double extent = boxAround(scene.mesh.positions).extent();
     coarsest_ = options.coarsest * extent;
     finest_ = options.finest * extent;
     report_.verticesBefore = scene.mesh.positions.size();

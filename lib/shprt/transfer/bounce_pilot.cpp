@@ -2,18 +2,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 
 #include "shprt/base/parallel.h"
 #include "shprt/sampling/random.h"
+#include "shprt/transfer/material_evidence.h"
 #include "shprt/transfer/pilot_vertex.h"
+#include "shprt/transfer/stopwatch.h"
 
 namespace shprt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double kNormalQuantile = 1.96;  // two-sided 95%
 // -log(0.05): what happens to a share 3/n of many shows among n drawn with a probability of 95%.
@@ -39,16 +38,6 @@ Interval meanOf(const std::vector<PilotVertex>& drawn, double candidateShare, co
 Interval normOf(Interval square, double unshadowedNorm) {
   const auto root = [&](double a) { return std::sqrt(std::max(a, 0.0)) / unshadowedNorm; };
   return {root(square.value), root(square.low), root(square.high)};
-}
-
-// The most that any surface reflects, in any channel; 1 where a texture may say so.
-double brightestAlbedo(const Scene& scene) {
-  float brightest = 0;
-  for (std::size_t v = 0; v < scene.albedo.size(); ++v) {
-    if (scene.materials[scene.mesh.vertexMaterials[v]].texture) return 1;
-    brightest = std::max({brightest, scene.albedo[v].x, scene.albedo[v].y, scene.albedo[v].z});
-  }
-  return static_cast<double>(brightest);
 }
 
 std::vector<std::uint32_t> draw(std::span<const std::uint32_t> candidates, int count, std::uint64_t seed) {
@@ -135,7 +124,7 @@ BouncePilot pilotBounces(const PreparedScene& prepared, std::span<const std::uin
                          const ProgressCallback& progress) {
   assert(candidates.size() <= receivers && receivers > 0 && options.vertices > 0 && options.rays > 0);
   assert(options.bandDegree >= options.degree && options.bandDegree <= kMaximumBakeDegree);
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const FibonacciHemisphere lattice((options.rays + 31) / 32 * 16, kRayPacketSize);
   const std::vector<std::uint32_t> vertices = draw(candidates, options.vertices, options.seed);
   std::vector<PilotVertex> drawn(vertices.size());
@@ -172,7 +161,7 @@ BouncePilot pilotBounces(const PreparedScene& prepared, std::span<const std::uin
     const double unseen = drawn.size() < candidates.size()
                               ? std::sqrt(share * std::min(1.0, kUnseenEvents / n))
                               : std::sqrt(share / n) * std::min(1.0, kUnseenEvents / raysPerVertex);
-    pilot.total.high = pilot.colourBleed.high = brightestAlbedo(prepared.scene) * unseen;
+    pilot.total.high = pilot.colourBleed.high = examineMaterials(prepared.scene).brightest * unseen;
   }
 
   pilot.sureBounces = lastSure(drawn);
@@ -209,7 +198,7 @@ BouncePilot pilotBounces(const PreparedScene& prepared, std::span<const std::uin
   pilot.secondsPerNearestRay = secondsPer(&PilotSeconds::nearestRays, raysPerVertex);
   pilot.secondsPerTerm =
       secondsPer(&PilotSeconds::terms, raysPerVertex * coefficientCount(options.bandDegree));
-  pilot.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  pilot.seconds = watch.seconds();
   return pilot;
 }
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 
 #include "shprt/sh/basis.h"
 #include "shprt/transfer/band_tails.h"
 #include "shprt/transfer/effect_cost.h"
 #include "shprt/transfer/material_evidence.h"
+#include "shprt/transfer/stopwatch.h"
 #include "shprt/transfer/vertices_below.h"
 
 namespace shprt {
@@ -212,7 +212,7 @@ const EffectFinding& EffectPlan::finding(const std::string& effect) const {
 EffectPlan planEffects(const PreparedScene& prepared, std::span<const LightCoefficients> lights,
                        const PlanOptions& options, const ProgressCallback& progress) {
   assert(options.rays >= 1 && options.error > 0);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Scene& scene = prepared.scene;
   EffectPlan plan;
   plan.rays = options.rays;
@@ -264,7 +264,7 @@ EffectPlan planEffects(const PreparedScene& prepared, std::span<const LightCoeff
   plan.seconds = (plan.model == "unshadowed" ? 0 : plan.buildSeconds) + evidence.seconds.shadows +
                  evidence.seconds.bounces;
   plan.bytes = assetBytes(evidence.content);
-  plan.planSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  plan.planSeconds = watch.seconds();
   return plan;
 }
 

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -76,8 +75,8 @@ void keepPossible(const LightLayout& layout, std::span<const float> start, std::
           from.push_back(static_cast<double>(start[column * vertexCount + vertex]));
           to.push_back(static_cast<double>(fit[column * vertexCount + vertex]));
         }
-        const double unshadowed = std::sqrt(1 / (4 * std::numbers::pi));
-        keepPossible(from, i < layout.channels ? unshadowed : std::numeric_limits<double>::infinity(), to);
+        keepPossible(from, i < layout.channels ? kUnshadowedMean : std::numeric_limits<double>::infinity(),
+                     to);
         for (std::size_t column = band.first; column < band.end; ++column)
           fit[column * vertexCount + vertex] = static_cast<float>(to[column - band.first]);
       }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "shprt/transfer/bounce_series.h"
 #include "shprt/transfer/light_transport.h"
 #include "shprt/transfer/stopwatch.h"
+#include "shprt/transfer/transfer_rows.h"
 
 namespace shprt {
 namespace {
@@ -17,17 +17,12 @@ namespace {
 // Where nothing is lost, as in a closed room of albedo 1, light bounces for ever.
 constexpr int kMaximumBounces = 1000;
 
-// sum += factor * light, the factor per band.
-void addLight(const LightTransport& transport, const std::vector<float>& factors, LightRows& sum) {
-  const LightRows& light = transport.light();
-  const LightLayout& layout = transport.layout();
+// sum += light.
+void addLight(const LightRows& light, LightRows& sum) {
   parallelForBlocks(sum.rows(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t point = begin; point < end; ++point)
-      for (int i = 0; i < layout.bandCount(); ++i) {
-        const LightLayout::Band band = layout.band(i);
-        for (std::size_t column = band.first; column < band.end; ++column)
-          sum.row(point)[column] += factors[static_cast<std::size_t>(i)] * light.row(point)[column];
-      }
+      for (std::size_t column = 0; column < sum.stride(); ++column)
+        sum.row(point)[column] += light.row(point)[column];
   });
 }
 
@@ -38,7 +33,7 @@ void addLight(const LightTransport& transport, const std::vector<float>& factors
 void addTail(const LightTransport& transport, const std::vector<float>& factors, LightRows& sum) {
   const LightRows& light = transport.light();
   const LightLayout& layout = transport.layout();
-  const auto most = static_cast<float>(std::numbers::inv_sqrtpi / 2);  // y_00, times A_0 / pi = 1
+  constexpr auto most = static_cast<float>(kUnshadowedMean);
   parallelForBlocks(sum.rows(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t point = begin; point < end; ++point)
       for (int i = 0; i < layout.bandCount(); ++i) {
@@ -67,10 +62,8 @@ LightSolution solveLight(const PreparedScene& prepared, const InterreflectedOpti
 
   const Stopwatch bounceWatch;
   const std::size_t points = transport.light().rows();
-  const auto bands = static_cast<std::size_t>(transport.layout().bandCount());
-  const std::vector<float> ones(bands, 1.0f);
   LightRows sum(points, transport.layout().columns());
-  addLight(transport, ones, sum);
+  addLight(transport.light(), sum);
   BounceSeries series(transport.layout().channels, transport.largestRatios());
   series.add(transport.norms());
   // Two bounces at least, because one ratio says little of how light fades in the end.
@@ -82,7 +75,7 @@ LightSolution solveLight(const PreparedScene& prepared, const InterreflectedOpti
   while (series.bounces() < most && (options.bounces || !isEnough())) {
     const Stopwatch watch;
     transport.bounce();
-    addLight(transport, ones, sum);
+    addLight(transport.light(), sum);
     series.add(transport.norms());
     statistics.bounces.push_back({series.norm(), watch.seconds()});
     const auto bounces = static_cast<std::uint64_t>(series.bounces());
@@ -94,8 +87,8 @@ LightSolution solveLight(const PreparedScene& prepared, const InterreflectedOpti
   statistics.tailSummed = !options.bounces && isEnough() && statistics.remainder > 0;
   if (statistics.tailSummed) {
     std::vector<float> factors;
-    for (std::size_t band = 0; band < bands; ++band) {
-      const double ratio = series.ratio(static_cast<int>(band));
+    for (int band = 0; band < transport.layout().bandCount(); ++band) {
+      const double ratio = series.ratio(band);
       factors.push_back(static_cast<float>(ratio / (1 - ratio)));
     }
     addTail(transport, factors, sum);

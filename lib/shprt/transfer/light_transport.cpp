@@ -31,15 +31,6 @@ std::vector<std::uint32_t> countReceivers(const Scene& scene, const SurfaceTopol
   return counts;
 }
 
-// 2-norm of the unshadowed transfer, which is that of every normal.
-double unshadowedNorm(int degree) {
-  std::vector<double> transfer(static_cast<std::size_t>(coefficientCount(degree)));
-  UnshadowedTransfer(degree).evaluate({0, 0, 1}, transfer);
-  double squares = 0;
-  for (const double value : transfer) squares += value * value;
-  return std::sqrt(squares);
-}
-
 }  // namespace
 
 // What one block of points adds to the statistics.
@@ -198,9 +189,7 @@ std::vector<double> LightTransport::largestRatios() const {
     float largest = 0;
     for (const Vec3f& albedo : scene_.albedo) largest = std::max(largest, channelOf(albedo, channel));
     for (const Image& texture : scene_.textures)
-      for (int y = 0; y < texture.height; ++y)
-        for (int x = 0; x < texture.width; ++x)
-          largest = std::max(largest, channelOf(texture.at(x, y), channel));
+      for (const Vec3f& pixel : texture.pixels) largest = std::max(largest, channelOf(pixel, channel));
     ratios.push_back(static_cast<double>(largest) * largestFrontShare_);
   }
   return ratios;

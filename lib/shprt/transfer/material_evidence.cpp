@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shprt/transfer/transfer_rows.h"
+
 namespace shprt {
 namespace {
-
-bool isGrey(Vec3f colour) {
-  return colour.x == colour.y && colour.y == colour.z;
-}
 
 double mean(Vec3d colour) {
   return (colour.x + colour.y + colour.z) / 3;
@@ -21,13 +19,11 @@ double areaOf(const Mesh& mesh, const Triangle& triangle) {
 }
 
 void examineColours(const Scene& scene, MaterialEvidence& evidence) {
-  for (const Image& texture : scene.textures)
-    evidence.grey &= std::all_of(texture.pixels.begin(), texture.pixels.end(), isGrey);
+  evidence.grey = isGrey(scene);
   double squares = 0, spread = 0;
   for (std::uint32_t v = 0; v < scene.albedo.size(); ++v) {
     const Vec3f albedo = scene.albedo[v];
     const SurfaceMaterial& material = scene.materials[scene.mesh.vertexMaterials[v]];
-    evidence.grey &= isGrey(albedo);
     evidence.brightest =
         std::max(evidence.brightest,
                  material.texture ? 1.0 : static_cast<double>(std::max({albedo.x, albedo.y, albedo.z})));

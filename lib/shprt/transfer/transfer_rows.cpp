@@ -1,12 +1,21 @@
 #include "shprt/transfer/transfer_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "shprt/sh/basis.h"
 #include "shprt/sh/zonal.h"
 
 namespace shprt {
+namespace {
+
+bool isGreyColour(Vec3f colour) {
+  return colour.x == colour.y && colour.y == colour.z;
+}
+
+}  // namespace
 
 UnshadowedTransfer::UnshadowedTransfer(int degree)
     : degree_(degree), bandFactors_(clampedCosineFactors(degree)) {
@@ -21,14 +30,17 @@ void UnshadowedTransfer::evaluate(Vec3d normal, std::span<double> results) const
     }
 }
 
+double unshadowedNorm(int degree) {
+  std::vector<double> transfer(static_cast<std::size_t>(coefficientCount(degree)));
+  UnshadowedTransfer(degree).evaluate({0, 0, 1}, transfer);
+  return std::sqrt(std::inner_product(transfer.begin(), transfer.end(), transfer.begin(), 0.0));
+}
+
 bool isGrey(const Scene& scene) {
-  const auto isGreyColour = [](Vec3f a) { return a.x == a.y && a.y == a.z; };
   if (!std::all_of(scene.albedo.begin(), scene.albedo.end(), isGreyColour)) return false;
-  for (const Image& texture : scene.textures)
-    for (int y = 0; y < texture.height; ++y)
-      for (int x = 0; x < texture.width; ++x)
-        if (!isGreyColour(texture.at(x, y))) return false;
-  return true;
+  return std::all_of(scene.textures.begin(), scene.textures.end(), [](const Image& texture) {
+    return std::all_of(texture.pixels.begin(), texture.pixels.end(), isGreyColour);
+  });
 }
 
 TransferCoefficients makeTransfer(int channels, std::size_t vertexCount, int degree) {
@@ -42,8 +54,7 @@ TransferCoefficients makeTransfer(int channels, std::size_t vertexCount, int deg
 }
 
 TransferCoefficients makeTransfer(std::span<const Vec3f> albedo, int degree) {
-  const bool grey =
-      std::all_of(albedo.begin(), albedo.end(), [](Vec3f a) { return a.x == a.y && a.y == a.z; });
+  const bool grey = std::all_of(albedo.begin(), albedo.end(), isGreyColour);
   return makeTransfer(grey ? 1 : 3, albedo.size(), degree);
 }
 

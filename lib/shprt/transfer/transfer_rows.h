@@ -2,6 +2,7 @@
 // column.
 #pragma once
 
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,12 @@ class UnshadowedTransfer {
   int degree_;
   std::vector<double> bandFactors_;  // A_l / pi
 };
+
+// Coefficient 0 of unshadowed transfer, whatever the normal: y_00 A_0 / pi.
+inline constexpr double kUnshadowedMean = std::numbers::inv_sqrtpi / 2;
+
+// 2-norm of the unshadowed transfer, which is that of every normal.
+double unshadowedNorm(int degree);
 
 // Whether every albedo is grey, textures included: one channel serves all three then.
 bool isGrey(const Scene& scene);

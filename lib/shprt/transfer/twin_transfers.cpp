@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 #include "shprt/transfer/transfer_rows.h"
 
 namespace shprt {
-namespace {
-
-double unshadowedNorm(int degree) {
-  std::vector<double> transfer(static_cast<std::size_t>(coefficientCount(degree)));
-  UnshadowedTransfer(degree).evaluate({0, 0, 1}, transfer);
-  return std::sqrt(std::inner_product(transfer.begin(), transfer.end(), transfer.begin(), 0.0));
-}
-
-}  // namespace
 
 TwinTransfers::TwinTransfers(int degree)
     : coefficients_(static_cast<std::size_t>(coefficientCount(degree))), scale_(1 / unshadowedNorm(degree)) {}
