@@ -3,7 +3,9 @@
 packages=(build-essential cmake ninja-build pkg-config
   libembree-dev libopenmesh-dev libopenimageio-dev openimageio-tools libopenexr-dev libimath-dev
   libcli11-dev nlohmann-json3-dev libtbb-dev libspdlog-dev libfmt-dev libssl-dev)
-test_packages=(glslang-tools libgtest-dev libbenchmark-dev python3 python3-openimageio python3-numpy)
+test_packages=(glslang-tools libgtest-dev libbenchmark-dev python3 python3-openimageio python3-numpy gnuplot-nox)
+# Looked for at run time, never needed: `shprt study` draws its charts with gnuplot, and shows tables without.
+optional_packages=(gnuplot-nox)
 
 # ensure_packages NAME...: installs those that are missing, after saying so. Needs root only when something is missing.
 ensure_packages() {
@@ -23,6 +25,15 @@ ensure_packages() {
   fi
   "${root[@]}" apt-get update -qq
   "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# offer_packages NAME...: says which are missing and how to get them; installs nothing.
+offer_packages() {
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] || echo "Optional, for plots: apt-get install ${missing[*]}"
 }
 
 # configure_and_build PRESET [cmake options...]

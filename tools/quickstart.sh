@@ -7,6 +7,7 @@ source tools/packages.sh
 
 echo "== 1/3  Packages"
 ensure_packages "${packages[@]}"
+offer_packages "${optional_packages[@]}"
 
 echo "== 2/3  Build (two to five minutes on two cores, once; 200 MB)"
 configure_and_build release -DSHPRT_BUILD_TESTS=OFF -DSHPRT_BUILD_BENCH=OFF

@@ -10,7 +10,7 @@
 #include "bench/numerics/peers.h"
 #include "bench/numerics/quad.h"
 #include "bench/numerics/sections.h"
-#include "shprt/report/plot.h"
+#include "shprt/report/gnuplot.h"
 #include "shprt/sh/basis.h"
 #include "shprt/sh/evaluate_batch.h"
 #include "shprt/sh/gradient.h"

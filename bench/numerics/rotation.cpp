@@ -9,7 +9,7 @@
 
 #include "bench/numerics/quad.h"
 #include "bench/numerics/sections.h"
-#include "shprt/report/plot.h"
+#include "shprt/report/gnuplot.h"
 #include "shprt/sh/basis.h"
 #include "shprt/sh/rotation.h"
 #include "tests/sh/peer_rotation.h"
@@ -132,7 +132,7 @@ struct Contest {
   void add(double x, int l, double beta, const ReferenceWigner& wigner) {
     const std::vector<Quad> reference = referenceRotation(wigner, 0, 0);
     const auto addTo = [&](PlotCurve& curve, const Matrix& matrix) {
-      curve.points.emplace_back(x, std::max(largestDifference(matrix, reference), kFloor));
+      curve.points.emplace_back(x, plottedError(largestDifference(matrix, reference), kFloor));
     };
     addTo(ours, wignerMatrix(l, turnAboutY(beta)));
     if (l > kHighestPeer) return;

@@ -1,6 +1,7 @@
 // The sections of docs/numerics.md: each measures, draws its plots into a folder and returns its text.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -21,6 +22,11 @@ std::string zonalSection(const Page& page);
 // The natural size of a basis function of band l: errors are stated in it.
 inline double bandScale(int l) {
   return std::sqrt((2 * l + 1) / (4 * std::numbers::pi));
+}
+
+// An error as plots show it: no lower than `least`, and what is no number as what is infinite.
+inline double plottedError(double error, double least) {
+  return std::isnan(error) ? HUGE_VAL : std::max(error, least);
 }
 
 // A row of a table of promises: what was measured beside what is required, and a word that a reader finds.

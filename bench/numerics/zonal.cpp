@@ -10,7 +10,7 @@
 #include "bench/numerics/peers.h"
 #include "bench/numerics/quad.h"
 #include "bench/numerics/sections.h"
-#include "shprt/report/plot.h"
+#include "shprt/report/gnuplot.h"
 #include "shprt/sh/circular_window.h"
 #include "shprt/sh/zonal.h"
 
@@ -33,7 +33,7 @@ PlotCurve windowCurve(const std::string& name, const std::vector<Real>& factors,
     const double error = std::abs(static_cast<double>(factors[l] - reference[l])) / scale;
     worst = std::max(worst, std::isfinite(error) ? error : HUGE_VAL);
     if (l < next) continue;
-    curve.points.emplace_back(static_cast<double>(l), std::max(error, kFloor));
+    curve.points.emplace_back(static_cast<double>(l), plottedError(error, kFloor));
     next = l + 1 + l / 24;
   }
   return curve;
