@@ -1,7 +1,8 @@
-// RMS error of shadowed transfer against rays per vertex: the lattice that bakes use, and plain random
-// directions. Error is the RMS over vertices of the coefficient error's 2-norm, over the RMS of the
-// unshadowed transfer's norm; the reference is a bake of 65,536 rays with another seed. Prints a Markdown
-// table; times nothing. Usage: bench_sampling_error [MESH] [DEGREE] [REFERENCE_RAYS]
+// RMS error of shadowed transfer against rays per vertex for every set of directions, with and without the
+// control variate, and how many rays others need for the error of the lattice at 256. Error is the RMS over
+// vertices of the coefficient error's 2-norm, over the RMS of the unshadowed transfer's norm; the reference
+// is a bake of 65,536 rays with another seed. Prints Markdown; times nothing.
+// Usage: bench_sampling_error [MESH] [DEGREE] [REFERENCE_RAYS]
 
 #include <algorithm>
 #include <cmath>
@@ -10,70 +11,46 @@
 #include <string>
 #include <vector>
 
-#include "shprt/base/frame.h"
-#include "shprt/base/parallel.h"
 #include "shprt/mesh/load_mesh.h"
-#include "shprt/sampling/hemisphere.h"
-#include "shprt/sampling/random.h"
-#include "shprt/scene/ray_caster.h"
-#include "shprt/sh/basis.h"
 #include "shprt/transfer/bake.h"
-#include "shprt/transfer/local_horizon.h"
-#include "shprt/transfer/surface_topology.h"
-#include "shprt/transfer/transfer_rows.h"
+#include "shprt/transfer/prepared_scene.h"
 
 namespace {
 
 using namespace shprt;
 
-TransferCoefficients bakeRandom(const Mesh& mesh, std::span<const Vec3f> albedo, int degree, int rays) {
-  const SurfaceTopology topology(mesh);
-  const RayCaster caster(topology.positions(), topology.triangles());
-  TransferCoefficients transfer = makeTransfer(albedo, degree);
-  parallelForBlocks(mesh.positions.size(), 64, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> sum(static_cast<std::size_t>(coefficientCount(degree))), y(sum.size());
-    LocalHorizon horizon;
-    for (std::size_t vertex = begin; vertex < end; ++vertex) {
-      const auto v = static_cast<std::uint32_t>(vertex);
-      horizon.prepare(topology, v, {});
-      const Frame frame = frameFromNormal(topology.normal(v));
-      std::fill(sum.begin(), sum.end(), 0.0);
-      for (int first = 0; first < rays; first += kRayPacketSize) {
-        Vec3d d[kRayPacketSize];
-        float x[kRayPacketSize], dy[kRayPacketSize], z[kRayPacketSize];
-        for (int lane = 0; lane < kRayPacketSize; ++lane) {
-          const auto counter = vertex * 65536 + static_cast<std::size_t>(first + lane);
-          d[lane] = frame.toWorld(
-              sampleCosineHemisphere(uniformRandom(5, counter, 0), uniformRandom(5, counter, 1)));
-          x[lane] = static_cast<float>(d[lane].x), dy[lane] = static_cast<float>(d[lane].y),
-          z[lane] = static_cast<float>(d[lane].z);
-        }
-        const RayPacket packet{x, dy, z};
-        std::uint32_t visible = 0xffff & ~horizon.hidden(packet);
-        if (visible)
-          visible &= ~caster.occluded(topology.positions()[vertex], packet, visible,
-                                      {topology.trianglesAt(topology.positionIds()[vertex]),
-                                       {},
-                                       static_cast<float>(topology.contactDistance())});
-        for (int lane = 0; lane < kRayPacketSize; ++lane) {
-          if (!((visible >> lane) & 1u)) continue;
-          evaluateSh(degree, d[lane], y);
-          for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += y[i] / rays;
-        }
-      }
-      storeTransfer(sum, albedo[vertex], vertex, transfer);
-    }
-  });
-  return transfer;
-}
+struct Method {
+  const char* name;
+  PointSet points;
+  bool controlVariate;
+};
 
-double norm(const TransferCoefficients& a, const TransferCoefficients* b) {
+constexpr Method kMethods[] = {{"plain random", PointSet::kRandom, false},
+                               {"random", PointSet::kRandom, true},
+                               {"plain jittered", PointSet::kJittered, false},
+                               {"jittered", PointSet::kJittered, true},
+                               {"Sobol", PointSet::kSobol, true},
+                               {"lattice", PointSet::kLattice, true}};
+constexpr int kRays[] = {16, 64, 256, 1024, 4096};
+constexpr std::size_t kAsked = 2;  // 256 rays
+
+// The 2-norm over all vertices of a - b, or of a alone.
+double norm(const TransferCoefficients& a, const TransferCoefficients* b = nullptr) {
   double sum = 0;
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     const double difference = static_cast<double>(a.values[i]) - (b ? static_cast<double>(b->values[i]) : 0);
     sum += difference * difference;
   }
   return std::sqrt(sum);
+}
+
+// Where the line through the measurements in log-log coordinates, prolonged at its ends, meets `error`.
+double raysFor(const std::vector<double>& errors, double error) {
+  std::size_t next = 1;
+  while (next + 1 < errors.size() && errors[next] > error) ++next;
+  const double slope = std::log(errors[next] / errors[next - 1]) /
+                       std::log(static_cast<double>(kRays[next]) / kRays[next - 1]);
+  return kRays[next] * std::pow(error / errors[next], 1 / slope);
 }
 
 }  // namespace
@@ -84,18 +61,36 @@ int main(int argc, char** argv) {
   const int referenceRays = argc > 3 ? std::atoi(argv[3]) : 65536;
   const Mesh mesh = loadMesh(path).mesh;
   const Scene scene = makeScene(mesh, std::vector<Vec3f>(mesh.positions.size(), Vec3f{1, 1, 1}));
+  const PreparedScene prepared(scene);
   const TransferCoefficients reference =
-      bakeShadowed(scene, {.degree = degree, .rays = referenceRays, .seed = 999}).transfer;
-  const double scale = norm(bakeUnshadowed(scene, degree).transfer, nullptr);
+      bakeShadowed(prepared, {.degree = degree, .rays = referenceRays, .seed = 999}).transfer;
+  const double scale = norm(bakeUnshadowed(scene, degree).transfer);
   std::printf(
-      "%s, %zu vertices, degree %d, reference %d rays\n\n| rays | lattice | random |\n|---|---|---|\n",
+      "%s, %zu vertices, degree %d, reference %d rays; plain: without the control variate\n\n| rays |",
       path.c_str(), mesh.positions.size(), degree, referenceRays);
-  for (const int rays : {16, 64, 256, 1024, 4096}) {
-    const TransferCoefficients lattice =
-        bakeShadowed(scene, {.degree = degree, .rays = rays, .seed = 1}).transfer;
-    const TransferCoefficients random = bakeRandom(mesh, scene.albedo, degree, rays);
-    std::printf("| %d | %.2g | %.2g |\n", rays, norm(lattice, &reference) / scale,
-                norm(random, &reference) / scale);
-    std::fflush(stdout);
+  for (const Method& method : kMethods) std::printf(" %s |", method.name);
+  std::printf("\n|---|");
+  for (std::size_t i = 0; i < std::size(kMethods); ++i) std::printf("---|");
+  std::vector<double> errors[std::size(kMethods)];
+  for (const int rays : kRays) {
+    std::printf("\n| %d |", rays);
+    for (std::size_t i = 0; i < std::size(kMethods); ++i) {
+      // Points that need no rays are exact by the control variate only.
+      const ShadowedOptions options{.degree = degree,
+                                    .rays = rays,
+                                    .seed = 1,
+                                    .traceEverything = !kMethods[i].controlVariate,
+                                    .points = kMethods[i].points,
+                                    .controlVariate = kMethods[i].controlVariate};
+      errors[i].push_back(norm(bakeShadowed(prepared, options).transfer, &reference) / scale);
+      std::printf(" %.3g |", errors[i].back());
+      std::fflush(stdout);
+    }
+  }
+  const double asked = errors[std::size(kMethods) - 1][kAsked];
+  std::printf("\n\nFor the error of %d lattice rays, %.3g:\n", kRays[kAsked], asked);
+  for (std::size_t i = 0; i + 1 < std::size(kMethods); ++i) {
+    const double rays = raysFor(errors[i], asked);
+    std::printf("- %s: %.0f rays, %.2f times as many\n", kMethods[i].name, rays, rays / kRays[kAsked]);
   }
 }

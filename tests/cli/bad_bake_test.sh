@@ -55,6 +55,12 @@ refused 2 bake $in/cube.obj -o out.prt.exr --degree auto --light $l --model shad
 refused 1 bake $in/cube.obj -o out.prt.exr --degree auto --light missing.json && says missing.json
 refused 2 bake $in/cube.obj -o out.prt.exr --fit --model unshadowed && says --fit
 for error in 0 -1 2 nan; do refused 2 bake $in/cube.obj -o out.prt.exr --error $error && says --error; done
+for time in 0 1s ''; do refused 2 bake $in/cube.obj -o out.prt.exr --time "$time" && says --time && says 'from 0.01'; done
+refused 2 bake $in/cube.obj -o out.prt.exr --time 1 --rays 64 && says --time && says --rays
+refused 2 bake $in/cube.obj -o out.prt.exr --fit --time 1 && says --time && says --fit
+refused 2 bake $in/cube.obj -o out.prt.exr --fit --error 0.1 && says --error && says --rays
+refused 2 bake $in/cube.obj -o out.prt.exr --rays 31 --error-part && says --error-part && says '--rays 32'
+refused 2 bake $in/cube.obj -o out.prt.exr --fit --error-part && says --error-part && says --fit
 for edge in 0 -1 inf long ''; do refused 2 bake $in/cube.obj -o out.prt.exr --max-edge "$edge" && says --max-edge; done
 refused 1 bake $in/cube.obj -o out.prt.exr --max-edge 1e-6 && says --max-edge
 for memory in -1 1.5G G 1X 99999999999999999999; do

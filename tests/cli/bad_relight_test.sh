@@ -27,6 +27,8 @@ printf '{"objects":[{"file":"corner.obj","material":{"emission":1}}]}' >$in/room
 "$shprt" bake $in/room.json -o $in/room.prt.exr --rays 16 --degree 1 --quiet
 refused 2 relight $a $l -o out.png --emission 1 && says --emission
 refused 2 relight $in/room.prt.exr $l -o out.png --emission -1 && says --emission
+refused 1 relight $a $l -o out.csv --error-bars && says asset.prt.exr && says --error-part
+refused 1 relight $a $l -o out.png --error-bars --quiet && says --error-bars
 refused 2 relight $in/room.prt.exr -o out.png --turntable 3 && says --turntable
 refused 2 relight $in/room.prt.exr -o out.png --rotate axis:0,1,0,3 && says --rotate
 refused 2 relight $a $l -o out.png --size 0x10 && says --size

@@ -17,12 +17,17 @@ TransferAsset makeWhole(int channels, std::uint32_t vertices) {
   for (int row = 0; row < channels * 9; ++row)
     for (std::uint32_t v = 0; v < vertices; ++v)
       whole.transfer.values.push_back(static_cast<float>(row) * 1000 + static_cast<float>(v));
+  whole.error = {.degree = 2, .channels = channels, .vertexCount = vertices, .values = {}};
+  for (int row = 0; row < channels * 3; ++row)
+    for (std::uint32_t v = 0; v < vertices; ++v)
+      whole.error.values.push_back(static_cast<float>(row) * 100 + static_cast<float>(v));
   for (std::uint32_t v = 0; v < vertices; ++v) {
     const auto f = static_cast<float>(v);
     whole.positions.push_back({f, 1, 0});
     whole.normals.push_back({f, 2, 0});
     whole.albedo.push_back({f, 3, 0});
     whole.emission.push_back({f, 4, 0});
+    whole.emissionError.push_back({f, 6, 0});
     whole.textureCoordinates.push_back({f, 5});
     if (v >= 2) whole.triangles.push_back({v, v - 2, v - 1});
   }
@@ -39,16 +44,24 @@ void expectSelection(const TransferAsset& selected, const TransferAsset& whole,
             whole.transfer.values.size() / whole.positions.size() * kept.size());
   EXPECT_EQ(selected.transfer.degree, whole.transfer.degree);
   EXPECT_EQ(selected.transfer.channels, whole.transfer.channels);
+  ASSERT_EQ(selected.error.vertexCount, kept.size());
+  ASSERT_EQ(selected.error.values.size(), whole.error.values.size() / whole.positions.size() * kept.size());
+  EXPECT_EQ(selected.error.degree, whole.error.degree);
+  EXPECT_EQ(selected.error.channels, whole.error.channels);
   EXPECT_EQ(selected.metadata.model, whole.metadata.model);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t v = kept[k];
     for (int channel = 0; channel < whole.transfer.channels; ++channel)
       for (int i = 0; i < whole.transfer.rows(); ++i)
         ASSERT_EQ(selected.transfer.row(channel, i)[k], whole.transfer.row(channel, i)[v]);
+    for (int channel = 0; channel < whole.error.channels; ++channel)
+      for (int l = 0; l < whole.error.bands(); ++l)
+        ASSERT_EQ(selected.error.row(channel, l)[k], whole.error.row(channel, l)[v]);
     EXPECT_EQ(selected.positions.at(k), whole.positions[v]);
     EXPECT_EQ(selected.normals.at(k), whole.normals[v]);
     EXPECT_EQ(selected.albedo.at(k), whole.albedo[v]);
     EXPECT_EQ(selected.emission.at(k), whole.emission[v]);
+    EXPECT_EQ(selected.emissionError.at(k), whole.emissionError[v]);
     EXPECT_EQ(selected.textureCoordinates.at(k), whole.textureCoordinates[v]);
   }
   EXPECT_EQ(selected.positions.size(), kept.size());
@@ -69,6 +82,7 @@ TEST(SelectVertices, KeepsColumnsEntriesTrianglesAndObjects) {
     const TransferAsset packed = selectVertices(std::move(given), kept);
     expectSelection(packed, whole, kept);
     EXPECT_EQ(packed.transfer.values, copied.transfer.values);
+    EXPECT_EQ(packed.error.values, copied.error.values);
     EXPECT_EQ(packed.triangles, copied.triangles);
     EXPECT_EQ(packed.metadata.objects, copied.metadata.objects);
   }
@@ -77,9 +91,13 @@ TEST(SelectVertices, KeepsColumnsEntriesTrianglesAndObjects) {
 TEST(SelectVertices, LeavesEmptyArraysEmpty) {
   TransferAsset whole = makeWhole(1, 6);
   whole.emission.clear();
+  whole.error = {};
+  whole.emissionError.clear();
   whole.textureCoordinates.clear();
   const std::vector<std::uint32_t> kept = {1, 2, 3};
   EXPECT_TRUE(selectVertices(whole, kept).emission.empty());
+  EXPECT_TRUE(selectVertices(whole, kept).error.empty());
+  EXPECT_TRUE(selectVertices(whole, kept).emissionError.empty());
   EXPECT_TRUE(selectVertices(std::move(whole), kept).textureCoordinates.empty());
 }
 

@@ -49,4 +49,21 @@ inline TransferAsset makeSceneAsset(std::size_t vertices) {
   return asset;
 }
 
+// That with standard errors, and what the bake measured of them.
+inline TransferAsset makeMeasuredAsset(std::size_t vertices) {
+  TransferAsset asset = makeSceneAsset(vertices);
+  const TransferCoefficients& transfer = asset.transfer;
+  asset.error = {
+      .degree = transfer.degree, .channels = transfer.channels, .vertexCount = vertices, .values = {}};
+  asset.error.values.resize(static_cast<std::size_t>(asset.error.channels * asset.error.bands()) * vertices);
+  for (std::size_t i = 0; i < asset.error.values.size(); ++i)
+    asset.error.values[i] = 0x1p-10f * static_cast<float>(i);
+  for (std::size_t v = 0; v < vertices; ++v)
+    asset.emissionError.push_back({0, 0x1p-8f * static_cast<float>(v), 0.25f});
+  asset.metadata.samplingError = 0.0078125;
+  asset.metadata.samplingErrorBound = 0.01;
+  asset.metadata.verticesByRays = {{0, 2}, {64, vertices - 3}, {65536, 1}};
+  return asset;
+}
+
 }  // namespace shprt::test

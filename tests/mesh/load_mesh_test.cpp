@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "shprt/base/file.h"
 #include "shprt/mesh/position_ids.h"
 #include "shprt/mesh/triangulate.h"
 #include "shprt/mesh/write_ply.h"
@@ -293,6 +294,29 @@ TEST(WritePly, ReadsBackTheSame) {
       EXPECT_EQ(back.positions[back.triangles[t][k]], cube.positions[cube.triangles[t][k]]);
       EXPECT_EQ(back.normals[back.triangles[t][k]], cube.normals[cube.triangles[t][k]]);
     }
+}
+
+TEST(WritePly, PutsStandardErrorsBehindRadiance) {
+  const Mesh cube = loadText("cube.obj", test::kCubeObj);
+  const std::vector<std::array<std::uint8_t, 3>> colours(cube.positions.size(), {1, 2, 3});
+  const std::vector<Vec3f> radiance(cube.positions.size(), Vec3f{0.5f, 1, 2}),
+      errors(cube.positions.size(), Vec3f{0.25f, 0.125f, 0});
+  const auto written = [&](std::span<const Vec3f> standardErrors) {
+    writePly(test::scratch("errors.ply"), cube.positions, cube.normals, colours, radiance, cube.triangles,
+             standardErrors);
+    return readFile(test::scratch("errors.ply"));
+  };
+  const std::string plain = written({}), measured = written(errors);
+  EXPECT_EQ(plain.find("error"), std::string::npos);
+  const std::string properties =
+      "property float radiance_b\nproperty float radiance_error_r\nproperty float radiance_error_g\n"
+      "property float radiance_error_b\nelement face";
+  EXPECT_NE(measured.find(properties), std::string::npos);
+  // Three floats of radiance and three of errors end a vertex; the first vertex has 51 bytes.
+  float last[6];
+  std::memcpy(last, measured.data() + measured.find("end_header\n") + 11 + 51 - sizeof last, sizeof last);
+  EXPECT_EQ(std::vector<float>(last, last + 6), (std::vector<float>{0.5f, 1, 2, 0.25f, 0.125f, 0}));
+  EXPECT_EQ(loadMesh(test::scratch("errors.ply")).mesh.triangles.size(), cube.triangles.size());
 }
 
 TEST(LoadMesh, RefusesWhatIsNoMesh) {

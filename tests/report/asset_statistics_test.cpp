@@ -63,5 +63,31 @@ TEST(AssetStatistics, MeasureEmission) {
   EXPECT_EQ(measureAsset(asset).emissionShare, 1);
 }
 
+// Unshadowed transfer of degree 1 and albedo a has the squared norm a^2 (1/(4 pi) + 1/(3 pi)): from y_00, and
+// (A_1/pi)^2 3/(4 pi) with A_1 = 2 pi/3.
+TEST(AssetStatistics, MeasureStandardErrors) {
+  for (const int channels : {1, 3}) {
+    TransferAsset asset = makeAsset(channels);
+    EXPECT_LT(measureAsset(asset).transferError, 0);
+    asset.albedo.assign(4, {0.5f, 0.5f, 0.5f});
+    asset.albedo[3] = {};
+    asset.error = {.degree = 1, .channels = channels, .vertexCount = 4, .values = {}};
+    for (int channel = 0; channel < channels; ++channel)
+      for (const float value : {0.03f, 0.f, 0.f, 0.f, 0.f, 0.04f, 0.f, 0.f})
+        asset.error.values.push_back(value);
+    const double squares = (0.03 * 0.03 + 0.04 * 0.04) / 4,
+                 unshadowed = 0.25 * 3 / 4 * (1 / (4 * pi) + 1 / (3 * pi));
+    EXPECT_NEAR(measureAsset(asset).transferError, std::sqrt(squares / unshadowed), 1e-7);
+    EXPECT_LT(measureAsset(asset).emissionError, 0);
+    asset.emission = {{1, 2, 2}, {0, 0, 0}, {0, 0, 0}, {0, 0, 4}};
+    asset.emissionError = {{0, 0, 0}, {0.3f, 0, 0}, {0, 0.4f, 0}, {0, 0, 0}};
+    EXPECT_NEAR(measureAsset(asset).emissionError, 0.5 / 5, 1e-7);
+    asset.emission.assign(4, {});
+    EXPECT_LT(measureAsset(asset).emissionError, 0);
+    asset.albedo.assign(4, {});
+    EXPECT_LT(measureAsset(asset).transferError, 0);
+  }
+}
+
 }  // namespace
 }  // namespace shprt

@@ -80,6 +80,43 @@ TEST(Compare, SeesEmission) {
   EXPECT_EQ(compareAssets(b, a, {}).differingParts.at(0), "emission: only one of them has any");
 }
 
+TEST(Compare, SeesStandardErrors) {
+  TransferAsset a = makeAsset(1);
+  a.error = {.degree = 1, .channels = 1, .vertexCount = 4, .values = std::vector<float>(8, 0.5f)};
+  a.emission.assign(4, {1, 1, 1});
+  a.emissionError.assign(4, {0.25f, 0.25f, 0.25f});
+  TransferAsset b = a;
+  EXPECT_TRUE(compareAssets(a, b, {}).equal());
+  b.error.row(0, 1)[2] += 0.125f;
+  ASSERT_EQ(compareAssets(a, b, {}).differingParts.size(), 1u);
+  EXPECT_EQ(compareAssets(a, b, {}).differingParts[0],
+            "error: 1 of 8 values beyond tolerance, largest difference 0.125");
+  EXPECT_TRUE(compareAssets(a, b, {.relative = 0, .absolute = 0.125}).equal());
+  b = a;
+  b.emissionError[1].y = 0;
+  EXPECT_EQ(compareAssets(a, b, {}).differingParts.at(0),
+            "emissionError: 1 of 12 values beyond tolerance, largest difference 0.25");
+  b.emissionError.clear();
+  EXPECT_EQ(compareAssets(a, b, {}).differingParts.at(0), "emissionError: only one of them has any");
+  b = a;
+  b.error = {};
+  EXPECT_EQ(compareAssets(b, a, {.relative = 1, .absolute = 100}).differingParts.at(0),
+            "error: only one of them has any");
+}
+
+TEST(Compare, TakesOneChannelOfErrorsForThree) {
+  TransferAsset grey = makeAsset(1), coloured = makeAsset(3);
+  grey.error = {.degree = 1, .channels = 1, .vertexCount = 4, .values = {1, 2, 3, 4, 5, 6, 7, 8}};
+  coloured.error = {.degree = 1, .channels = 3, .vertexCount = 4, .values = {}};
+  for (int channel = 0; channel < 3; ++channel)
+    coloured.error.values.insert(coloured.error.values.end(), grey.error.values.begin(),
+                                 grey.error.values.end());
+  EXPECT_TRUE(compareAssets(grey, coloured, {}).equal());
+  coloured.error.row(2, 1)[0] = 0;
+  EXPECT_EQ(compareAssets(grey, coloured, {}).differingParts.at(0),
+            "error: 1 of 24 values beyond tolerance, largest difference 5");
+}
+
 TEST(Compare, SaysWhyNot) {
   TransferAsset a = makeAsset(1), b = a;
   b.transfer.degree = 0;

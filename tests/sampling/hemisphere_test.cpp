@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "disc_integrands.h"
 #include "shprt/sampling/fibonacci_hemisphere.h"
 #include "shprt/sampling/hemisphere.h"
 #include "shprt/sampling/random.h"
@@ -46,6 +47,15 @@ TEST(CosineHemisphere, DensityIntegratesToOneAndMatchesTheWarp) {
   EXPECT_NEAR(cosine / (side * side), 2.0 / 3, 1e-4);
   EXPECT_EQ(pdfCosineHemisphere({0, 0, -1}), 0);
   EXPECT_DOUBLE_EQ(pdfCosineHemisphere({0, 0, 1}), 1 / std::numbers::pi);
+}
+
+TEST(CosineHemisphere, DirectionsAroundANormalStayAboveTheHorizon) {
+  for (const Vec3d normal : {Vec3d{0, 0, 1}, Vec3d{0, 0, -1}, normalize({1, -2, 3}), normalize({-5, 3, -1})})
+    for (int turn = 0; turn < 100; ++turn) {
+      const Vec3d direction = toDouble(cosineDirectionAround(frameFromNormal(normal), 1, turn / 100.0));
+      EXPECT_NEAR(length(direction), 1, 4e-7);
+      EXPECT_GT(dot(direction, normal), 0);
+    }
 }
 
 struct Directions {
@@ -106,6 +116,48 @@ TEST(FibonacciHemisphere, IsEvenInAzimuth) {
     for (std::size_t i = 0; i < 256; ++i) right += d.x[i] > 0;
     EXPECT_NEAR(right, 128, 6);
   }
+}
+
+// Of all lattices, the hexagonal one has the least error for figures at random: with one point per area A,
+// the variance of (a count times A), averaged over directions and for a large figure of perimeter L, is L /
+// (4 pi^3) A^(3/2) E, where E is the sum of |k|^-3 over the dual lattice at unit covolume, since the square
+// of a figure's Fourier transform falls as L / (4 pi^3 |k|^3), as a disc's does. Hexagonal E is 6 zeta(3/2)
+// L(3/2) (sqrt(3)/2)^(3/2) = 8.8927, with the L function of the character modulo 3. On the unit disc A is pi
+// / n, and a mean is a count times A / pi. The edge of the unit disc is none of the figure's. The spiral of
+// directions, locally a lattice of changing shape, comes near it: only other estimators, not other points,
+// have much to gain.
+TEST(FibonacciHemisphere, ErrsLittleMoreThanTheBestOfLattices) {
+  constexpr int kCount = 512;
+  constexpr double kPi = std::numbers::pi, kHexagonal = 8.8927;
+  const FibonacciHemisphere lattice(kCount, 16);
+  double errors = 0, perimeters = 0;
+  for (std::uint64_t index = 0; index < 4000; ++index) {
+    const double distance = 0.9 * uniformRandom(1, index, 0);
+    const test::DiscIntegrand figure = test::halfPlane(0, distance);
+    errors += std::pow(test::meanOver(test::directionsOf(lattice, 2, index), figure) - figure.mean, 2);
+    perimeters += 2 * std::sqrt(1 - distance * distance);
+  }
+  const double best =
+      perimeters / (4 * std::pow(kPi, 3)) * std::pow(kPi / kCount, 1.5) * kHexagonal / (kPi * kPi);
+  EXPECT_GT(std::sqrt(errors / best), 0.95);  // 4000 draws are known to about 1.5%
+  EXPECT_LT(std::sqrt(errors / best), 1.15);
+}
+
+// A quarter is the lattice stretched by two, so it errs like a lattice of a quarter of the points; every
+// fourth ring would be half as bad again.
+TEST(FibonacciHemisphere, QuartersAreAsGoodAsLatticesOfTheirSize) {
+  const FibonacciHemisphere lattice(64, 16), small(16, 16);
+  double quarterErrors = 0, smallErrors = 0;
+  for (std::uint64_t index = 0; index < 3000; ++index) {
+    const test::DiscIntegrand figure = test::halfPlane(0, 0.9 * uniformRandom(1, index, 0));
+    const std::vector<Vec3d> directions = test::directionsOf(lattice, 2, index);
+    double sums[4] = {};
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      sums[lattice.quarters()[i]] += figure.value(directions[i]);
+    for (const double sum : sums) quarterErrors += std::pow(sum / 16 - figure.mean, 2) / 4;
+    smallErrors += std::pow(test::meanOver(test::directionsOf(small, 3, index), figure) - figure.mean, 2);
+  }
+  EXPECT_LT(std::sqrt(quarterErrors / smallErrors), 1.25);
 }
 
 TEST(FibonacciHemisphere, SeedAndIndexFixEverything) {

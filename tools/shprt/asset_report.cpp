@@ -71,6 +71,39 @@ Json describeEmission(const Console& console, const TransferAsset& asset, const 
           {"share", statistics.emissionShare}};
 }
 
+// What the bake measured over its scene, and how its rays were spread; null where there is neither.
+Json describeSampling(const Console& console, const AssetMetadata& metadata) {
+  Json sampling;
+  if (metadata.samplingError >= 0) {
+    const bool bounded = metadata.samplingErrorBound >= 0;
+    console.field(
+        "sampling error",
+        fmt::format("{:.3g} of the unshadowed transfer, RMS over the scene{}", metadata.samplingError,
+                    bounded ? fmt::format("; at most {:.3g} (95%)", metadata.samplingErrorBound) : ""));
+    sampling["error"] = metadata.samplingError;
+    if (bounded) sampling["errorBound"] = metadata.samplingErrorBound;
+  }
+  std::string histogram;
+  for (const auto& [rays, vertices] : metadata.verticesByRays) {
+    histogram += fmt::format("{}{}: {}", histogram.empty() ? "" : ", ", rays, formatCount(vertices));
+    sampling["verticesByRays"].push_back({rays, vertices});
+  }
+  if (!histogram.empty()) console.field("vertices by rays", histogram);
+  return sampling;
+}
+
+// Of this asset's vertices; null for an asset without the part.
+Json describeErrors(const Console& console, const TransferAsset& asset, const AssetStatistics& statistics) {
+  if (asset.error.empty()) return {};
+  const auto tell = [&](const char* label, const char* of, double error) {
+    if (error < 0) return Json();
+    console.field(label, fmt::format("{:.3g} of the {}, RMS", error, of));
+    return Json(error);
+  };
+  return {{"transfer", tell("standard error", "unshadowed transfer", statistics.transferError)},
+          {"emission", tell("that of emission", "emission", statistics.emissionError)}};
+}
+
 }  // namespace
 
 Json describeAsset(const Console& console, const std::string& path) {
@@ -80,9 +113,10 @@ Json describeAsset(const Console& console, const std::string& path) {
   console.field("asset",
                 fmt::format("{}, {}, format version {}, made by shprt {}", path, formatBytes(fileSize(path)),
                             metadata.formatVersion, metadata.toolVersion));
-  console.field(
-      "model", fmt::format("{}, degree {}, {} per vertex, seed {}", metadata.model, asset.transfer.degree,
-                           countOf(static_cast<std::uint64_t>(metadata.rays), "ray", "rays"), metadata.seed));
+  console.field("model",
+                fmt::format("{}, degree {}, {} per vertex{}, seed {}", metadata.model, asset.transfer.degree,
+                            countOf(static_cast<std::uint64_t>(metadata.rays), "ray", "rays"),
+                            metadata.verticesByRays.empty() ? "" : " on average", metadata.seed));
   console.field("mesh", fmt::format("{}, {}{}", countOf(asset.positions.size(), "vertex", "vertices"),
                                     countOf(asset.triangles.size(), "triangle", "triangles"),
                                     asset.textureCoordinates.empty() ? "" : ", texture coordinates"));
@@ -102,6 +136,7 @@ Json describeAsset(const Console& console, const std::string& path) {
   printSeconds(console, metadata.seconds);
   printCounts(console, metadata.counts);
   for (const std::string& note : metadata.notes) console.field("note", note);
+  const Json sampling = describeSampling(console, metadata);
   const AssetStatistics statistics = measureAsset(asset);
   // Under a sky of radiance 1; with bounces it is more than what is seen of it.
   console.field(metadata.model == "interreflected" ? "light received" : "sky seen",
@@ -111,6 +146,7 @@ Json describeAsset(const Console& console, const std::string& path) {
   for (std::size_t l = 0; l < statistics.bandEnergy.size(); ++l)
     console.field(fmt::format("energy of band {}", l), fmt::format("{:.4g}", statistics.bandEnergy[l]));
   const Json emission = describeEmission(console, asset, statistics);
+  const Json standardError = describeErrors(console, asset, statistics);
   for (const AssetPart& part : parts) {
     console.field("part " + part.name,
                   fmt::format("{} x {}, {} {}, {}, {}", part.width, part.height, part.channels,
@@ -151,6 +187,8 @@ Json describeAsset(const Console& console, const std::string& path) {
           {"maximum", statistics.maximum},
           {"bandEnergy", statistics.bandEnergy},
           {"emission", emission},
+          {"sampling", sampling},
+          {"standardError", standardError},
           {"parts", partList}};
 }
 

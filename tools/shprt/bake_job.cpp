@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "commands.h"
@@ -24,9 +25,14 @@
 namespace shprt {
 namespace {
 
+// Of transfer in three channels.
+double mostBytes(std::size_t vertices, int degree) {
+  return static_cast<double>(vertices) * 3 * coefficientCount(degree) * sizeof(float);
+}
+
 // Linux grants memory it does not have and ends the process when it is used; better to say so first.
 void checkMemory(const std::string& path, std::size_t vertices, int degree) {
-  const double needed = static_cast<double>(vertices) * 3 * coefficientCount(degree) * sizeof(float);
+  const double needed = mostBytes(vertices, degree);
   const double present =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (needed <= present) return;
@@ -67,6 +73,10 @@ Refined refine(const BakeOptions& options, Scene& scene) {
   return refined;
 }
 
+// What effects and bounces may leave out of a bake that is to be as good as its time allows: less than what
+// rays leave uncertain, and not so little that finding out takes the time.
+constexpr double kTimedOmission = 1e-3;
+
 BakeRequest requestOf(const BakeOptions& options) {
   BakeRequest request;
   request.model = options.effects.interreflection ? "interreflected"
@@ -76,7 +86,14 @@ BakeRequest requestOf(const BakeOptions& options) {
   request.rays = options.rays;
   request.seed = options.seed;
   request.bounces = options.bounces;
-  request.error = options.error;
+  if (options.wantedError && options.choosesRays()) {
+    request = requestForError(request, *options.wantedError);
+  } else if (options.wantedError) {
+    request.error = *options.wantedError;
+  } else if (options.seconds) {
+    request.error = kTimedOmission;
+  }
+  request.measureError = options.errorPart;
   request.hitMemory = options.hitMemory;
   request.traceEverything = options.effects.traceEverything;
   return request;
@@ -89,14 +106,27 @@ EffectPlan makePlan(const BakeOptions& options, const PreparedScene& prepared,
                        {.degree = options.degree,
                         .rays = options.rays,
                         .seed = options.seed,
-                        .error = options.error,
+                        .error = requestOf(options).error,
                         .hitMemory = options.hitMemory,
                         .half = options.writing.half},
                        progress);
   });
 }
 
+// Of transfer that no rays made.
+TransferError noError(const TransferCoefficients& transfer) {
+  TransferError error{transfer.degree, transfer.channels, transfer.vertexCount, {}};
+  error.values.resize(static_cast<std::size_t>(error.channels * error.bands()) * error.vertexCount);
+  return error;
+}
+
 }  // namespace
+
+double meanRays(const BakeOutcome& outcome) {
+  return outcome.request.samplingError || outcome.request.seconds
+             ? outcome.bake.statistics.sampling.raysPerVertex
+             : outcome.request.rays;
+}
 
 std::string assetFile(const BakeOptions& options, const SceneObject& object) {
   if (!options.perMesh) return options.output;
@@ -109,6 +139,7 @@ std::string assetFile(const BakeOptions& options, const SceneObject& object) {
 
 BakeOutcome runBakeSteps(const Console& console, const BakeOptions& options,
                          const std::vector<std::string>& inputs) {
+  const Stopwatch watch;
   BakeOutcome outcome;
   const Stopwatch loadWatch;
   outcome.scene = loadScene(options.scene, options.loading);
@@ -134,6 +165,12 @@ BakeOutcome runBakeSteps(const Console& console, const BakeOptions& options,
     if (outcome.plan->channels == 1) makeGrey(outcome.scene);
     checkMemory(options.scene, outcome.scene.mesh.positions.size(), outcome.request.degree);
   }
+  if (options.seconds) {
+    constexpr double kBytesPerSecond = 2e8, kLeastSeconds = 1e-3;
+    const double writing =
+        mostBytes(outcome.scene.mesh.positions.size(), outcome.request.degree) / kBytesPerSecond;
+    outcome.request.seconds = std::max(*options.seconds - watch.seconds() - writing, kLeastSeconds);
+  }
   if (options.fit) {
     outcome.fit = withProgress("baking", options.common.quiet, [&](const ProgressCallback& progress) {
       return bakeRequestedFitted(prepared, outcome.request, {}, progress);
@@ -156,8 +193,14 @@ TransferAsset makeAsset(const BakeOptions& options, BakeOutcome& outcome) {
   metadata.toolVersion = kVersion;
   metadata.model = outcome.request.model;
   if (metadata.model != "unshadowed") {
-    metadata.rays = outcome.request.rays;
+    metadata.rays = static_cast<int>(std::lround(meanRays(outcome)));
     metadata.seed = outcome.request.seed;
+    const SamplingStatistics& sampling = statistics.sampling;
+    if (sampling.measured) {
+      metadata.samplingError = sampling.error;
+      metadata.samplingErrorBound = sampling.errorBound;
+      for (const auto& [rays, number] : sampling.verticesByRays) metadata.verticesByRays[rays] = number;
+    }
   }
   if (metadata.model == "interreflected") {
     metadata.bounces = static_cast<int>(statistics.bounces.size());
@@ -206,6 +249,14 @@ TransferAsset makeAsset(const BakeOptions& options, BakeOutcome& outcome) {
 
   asset.transfer = std::move(outcome.bake.transfer);
   asset.emission = std::move(outcome.bake.emission);
+  if (options.errorPart) {
+    asset.error = std::move(outcome.bake.error);
+    asset.emissionError = std::move(outcome.bake.emissionError);
+    if (metadata.model == "unshadowed") {
+      asset.error = noError(asset.transfer);
+      asset.emissionError.resize(asset.emission.size());
+    }
+  }
   asset.positions = std::move(scene.mesh.positions);
   asset.normals = std::move(scene.mesh.normals);
   asset.albedo = std::move(scene.albedo);

@@ -32,6 +32,9 @@ struct BakeOutcome {
   double loadSeconds = 0;
 };
 
+// Of one vertex, in the pass that made the result; 0 for those that are exact without.
+double meanRays(const BakeOutcome& outcome);
+
 // Where the asset of one receiver goes: --output, with --per-mesh the object's name before its suffix.
 std::string assetFile(const BakeOptions& options, const SceneObject& object);
 

@@ -14,6 +14,8 @@ namespace shprt {
 namespace {
 
 constexpr int kMostBounces = 1000;
+constexpr double kLeastError = 1e-6;
+constexpr int kLeastJudgedRays = 32;  // two for each sixteenth of them
 
 EffectChoice parseEffects(const std::string& text) {
   EffectChoice choice;
@@ -74,6 +76,16 @@ void checkBakeOptions(const BakeOptions& options, const CLI::App& parsed) {
     throw UsageError("--output: an asset is an OpenEXR file; end " + options.output + " in .prt.exr");
   if (options.fit && !effects.automatic && !effects.shadows)
     throw UsageError("--fit: the unshadowed model needs no fit");
+  if (options.fit && options.seconds)
+    throw UsageError("--time: a fit takes the same rays everywhere; leave out --fit, or give --rays instead");
+  if (options.fit && options.choosesRays())
+    throw UsageError("--error: a fit takes the same rays everywhere; add --rays N, or leave out --fit");
+  if (options.errorPart && options.areRaysGiven && options.rays < kLeastJudgedRays)
+    throw UsageError(fmt::format("--error-part: {} do not tell how far they are off; give --rays {} or more",
+                                 options.rays == 1 ? "1 ray" : std::to_string(options.rays) + " rays",
+                                 kLeastJudgedRays));
+  if (options.fit && options.errorPart)
+    throw UsageError("--error-part: the errors of a fit are not known; leave out --fit");
 }
 
 void addBakeOptions(CLI::App& sub, BakeOptions& options) {
@@ -96,15 +108,25 @@ void addBakeOptions(CLI::App& sub, BakeOptions& options) {
       ->default_str("auto")
       ->excludes(effects);
   addNumber(
-      sub, "--error", options.error, 1e-6, 1,
-      "What may be left out: relative RMS error of the transfer that skipped effects and bounces may cost");
+      sub, "--error", options.wantedError, kLeastError, 1,
+      "Relative RMS error of the transfer to reach: rays, bounces and effects as it takes. With --rays, what "
+      "skipped effects and bounces may cost (0.01)");
+  CLI::Option* time =
+      addNumber(sub, "--time", options.seconds, 0.01, 1e6,
+                "Seconds that the command may take: the least error that fits, or --error if that is "
+                "reached sooner");
   addIntegerOrAuto(sub, "--degree", options.degree, 0, kMaximumBakeDegree,
                    "Highest spherical-harmonic band; auto: the least that --light calls for");
   sub.add_option("--light", options.lights, "Light that --degree auto is to serve; may be repeated")
       ->type_name("LIGHT");
-  addRays(sub, options.rays);
-  addIntegerOrAuto(sub, "--bounces", options.bounces, 0, kMostBounces,
-                   "How often light bounces between surfaces; auto: until the rest is below --error");
+  addRays(sub, options.rays)->excludes(time)->each([&options](const std::string&) {
+    options.areRaysGiven = true;
+  });
+  sub.add_flag("--error-part", options.errorPart,
+               "Store the standard error of every vertex in the asset, for relight --error-bars");
+  addIntegerOrAuto(
+      sub, "--bounces", options.bounces, 0, kMostBounces,
+      "How often light bounces between surfaces; auto: until the rest is below what --error allows bounces");
   sub.add_option_function<std::string>(
          "--max-edge", [&options](const std::string& text) { options.maxEdge = parseEdgeLimit(text); },
          "Subdivide until no edge is longer, in scene units; auto: where vertices cannot carry the shadows")

@@ -32,10 +32,15 @@ struct BakeOptions {
   EffectChoice effects;
   std::vector<std::string> lights;  // that the degree is chosen for
   std::optional<int> degree = 4;    // empty: the least that the lights call for
+  // What decides on the rays: a number, or the error or the time asked for.
   int rays = 256;
+  bool areRaysGiven = false;
+  std::optional<double> seconds;  // for the whole command
+  std::optional<double> wantedError;
+  bool errorPart = false;
   std::uint64_t seed = 1;
   std::optional<int> bounces;  // empty: as many as `error` calls for
-  double error = 0.01;
+  bool choosesRays() const { return !areRaysGiven && (wantedError || seconds); }
   std::optional<EdgeLimit> maxEdge;
   bool fit = false, perMesh = false;
   std::uint64_t hitMemory = std::uint64_t{2} << 30;

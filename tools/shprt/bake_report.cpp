@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "scene_report.h"
 #include "shprt/base/parallel.h"
@@ -58,6 +60,20 @@ void printPlan(const Console& console, const EffectPlan& plan) {
   if (!skipped.empty()) console.field("skipped", skipped + " (shprt plan says why)");
 }
 
+// Sampling's bound, and what the tool chose to leave out of bounces and effects; what a user leaves out is
+// not an error. Errors of different sources add in squares.
+double errorInAll(const BakeOutcome& outcome) {
+  const BakeStatistics& statistics = outcome.bake.statistics;
+  double error = statistics.sampling.errorBound;
+  if (!outcome.request.bounces) error = std::hypot(error, statistics.remainder);
+  if (!outcome.plan) return error;
+  for (const char* effect : {"shadows", "interreflection"}) {
+    const EffectFinding& finding = outcome.plan->finding(effect);
+    if (!finding.simulated) error = std::hypot(error, finding.contribution.value);
+  }
+  return error;
+}
+
 void printBounces(const Console& console, const BakeStatistics& statistics) {
   if (statistics.bounces.empty()) return;
   const double first = statistics.bounces.front().norm;
@@ -65,7 +81,7 @@ void printBounces(const Console& console, const BakeStatistics& statistics) {
                                        "{:.2f}, {:.2g}% {}",
                                        statistics.bounces.size(), statistics.bounceSeconds, 100 * first,
                                        statistics.spectralRadius, 100 * statistics.remainder,
-                                       statistics.tailSummed ? "at most left and summed as a series"
+                                       statistics.tailSummed ? "at most left, which is added as a series"
                                                              : "at most left out"));
   if (statistics.retracedPoints > 0) {
     console.note(
@@ -73,6 +89,67 @@ void printBounces(const Console& console, const BakeStatistics& statistics) {
                     "--memory is faster",
                     countOf(statistics.retracedPoints, "vertex", "vertices")));
   }
+}
+
+// The error of sampling, and where the rays went.
+void printSampling(const Console& console, const BakeOptions& options, const BakeOutcome& outcome) {
+  const BakeStatistics& statistics = outcome.bake.statistics;
+  const SamplingStatistics& sampling = statistics.sampling;
+  if (!sampling.measured) return;
+  const double inAll = errorInAll(outcome);
+  std::optional<double> asked;
+  if (outcome.request.samplingError) asked = errorAskedFor(outcome.request);
+  console.field(
+      "error",
+      fmt::format("sampling leaves {:.3g}% of unshadowed transfer, at most {:.3g}% with 95% confidence; "
+                  "all together at most {:.3g}%{}",
+                  100 * sampling.error, 100 * sampling.errorBound, 100 * inAll,
+                  asked ? fmt::format(" (asked for {:.3g}%)", 100 * *asked) : ""));
+  if (options.bounces || !(options.effects.automatic || options.effects.interreflection))
+    console.note(fmt::format("light that {} leaves out is not counted as an error",
+                             options.bounces ? "--bounces" : "the choice of effects"));
+  if (asked && inAll > *asked) {
+    const char* reason = sampling.errorBound <= *outcome.request.samplingError
+                             ? "bounces left out weigh more; ask for less"
+                         : options.seconds ? "the time was over; give more --time"
+                                           : "some vertices have the most rays there are; ask for more";
+    console.note(fmt::format("the error asked for was not reached: {}", reason));
+  }
+  if (sampling.emissionError > 0)
+    console.field("",
+                  fmt::format("light of the scene's own: {:.3g}% of itself", 100 * sampling.emissionError));
+  if (!options.choosesRays()) return;
+  std::uint64_t most = 1;
+  for (const auto& [rays, vertices] : sampling.verticesByRays) most = std::max(most, vertices);
+  std::string label = "rays per vertex";
+  for (const auto& [rays, vertices] : sampling.verticesByRays) {
+    constexpr std::uint64_t kWidth = 40;
+    const std::string bar((kWidth * vertices + most - 1) / most, '#');
+    console.field(
+        label, fmt::format("{:>6} {} {}", rays == 0 ? "exact" : formatCount(static_cast<std::uint64_t>(rays)),
+                           bar, formatCount(vertices)));
+    label.clear();
+  }
+}
+
+Json samplingToJson(const BakeOutcome& outcome) {
+  const BakeStatistics& statistics = outcome.bake.statistics;
+  const SamplingStatistics& sampling = statistics.sampling;
+  Json histogram = Json::array(), passes = Json::array();
+  for (const auto& [rays, vertices] : sampling.verticesByRays)
+    histogram.push_back({{"rays", rays}, {"vertices", vertices}});
+  for (const SamplingPass& pass : sampling.passes)
+    passes.push_back({{"rays", pass.rays}, {"seconds", pass.seconds}, {"error", pass.error}});
+  Json figures = {{"error", sampling.error},
+                  {"errorBound", sampling.errorBound},
+                  {"confidence", 0.95},
+                  {"rate", sampling.rate},
+                  {"emissionError", sampling.emissionError},
+                  {"errorInAll", errorInAll(outcome)},
+                  {"verticesByRays", histogram},
+                  {"passes", passes}};
+  if (outcome.request.samplingError) figures["asked"] = errorAskedFor(outcome.request);
+  return figures;
 }
 
 void printFit(const Console& console, const FittedBake& fit) {
@@ -107,18 +184,24 @@ void printOutcome(const Console& console, const BakeOptions& options, const Bake
   }
   console.field("model",
                 fmt::format("{}, degree {}, {} per vertex, seed {}", request.model, request.degree,
-                            countOf(static_cast<std::uint64_t>(request.rays), "ray", "rays"), request.seed));
+                            options.choosesRays()
+                                ? formatCount(static_cast<std::uint64_t>(std::llround(meanRays(outcome)))) +
+                                      " rays on average"
+                                : countOf(static_cast<std::uint64_t>(request.rays), "ray", "rays"),
+                            request.seed));
   std::string rays = fmt::format("{} in {:.2f} s, {:.1f} Mrays/s ({:.2f} s more to build, {} in Embree)",
                                  formatCount(raysTraced(statistics)), statistics.traceSeconds,
                                  raysPerSecond(statistics) * 1e-6, statistics.buildSeconds,
                                  formatBytes(statistics.embreeBytes));
   console.field("rays", rays);
   if (statistics.raysSpared > 0) {
-    console.field("", fmt::format("{} more spared: nothing rises above the tangent plane of {}",
-                                  formatCount(statistics.raysSpared),
-                                  countOf(statistics.unoccludedPoints, "point", "points")));
+    console.field("",
+                  fmt::format("{} more spared: nothing apart from what touches it rises above the tangent "
+                              "plane of their point",
+                              formatCount(statistics.raysSpared)));
   }
   printBounces(console, statistics);
+  printSampling(console, options, outcome);
   if (outcome.fit && outcome.fit->samples > 0) printFit(console, *outcome.fit);
   if (statistics.buriedVertices > 0) {
     console.field("buried", countOf(statistics.buriedVertices, "vertex", "vertices") +
@@ -170,6 +253,7 @@ Json figuresOf(const BakeOptions& options, const BakeOutcome& outcome, const Ass
                   {"counts", metadata.counts},
                   {"sources", sources},
                   {"notes", metadata.notes}};
+  if (statistics.sampling.measured) figures["sampling"] = samplingToJson(outcome);
   if (outcome.plan) figures["plan"] = Json::parse(planToJson(*outcome.plan));
   return figures;
 }

@@ -67,6 +67,11 @@ int runBake(const BakeOptions& options, const CLI::App& parsed) {
   const std::vector<std::string> files = writeAssets(options, std::move(asset), outcome.scene);
   const double seconds = watch.seconds();
   printOutcome(console, options, outcome, metadata);
+  if (options.seconds && seconds > 1.1 * *options.seconds)
+    console.note(fmt::format(
+        "--time was exceeded, {:.2f} s instead of {:g} s: loading, planning and a first pass are always "
+        "made, and the time of others is a prediction; give more, or --rays",
+        seconds, *options.seconds));
   for (const std::string& file : files)
     console.field("wrote",
                   fmt::format("{}, {}; {:.2f} s in all", file, formatBytes(fileSize(file)), seconds));

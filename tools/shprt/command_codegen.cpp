@@ -12,6 +12,7 @@
 #include "console.h"
 #include "options.h"
 #include "output.h"
+#include "shell_words.h"
 #include "shprt/base/error.h"
 #include "shprt/codegen/generate.h"
 #include "shprt/coefficients/light_coefficients.h"
@@ -79,14 +80,6 @@ std::string listFunctions(const CodeFunctions& functions) {
   for (const FunctionName& function : kFunctions)
     if (functions.*function.member) list += (list.empty() ? "" : ",") + std::string(function.name);
   return list;
-}
-
-std::string quoteForShell(const std::string& text) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=:@,%";
-  if (text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 const char* nameOf(CodeLanguage wanted) {

@@ -14,6 +14,7 @@
 #include "radiance_file.h"
 #include "relight_job.h"
 #include "relight_pictures.h"
+#include "relight_report.h"
 #include "shprt/base/error.h"
 #include "shprt/base/parallel.h"
 #include "shprt/coefficients/asset_file.h"
@@ -28,8 +29,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostSamples = 4096, kMostFrames = 9999;
-// Of sums that cancel to nothing, relative to the mean.
-constexpr double kRounding = 1e-6;
 
 std::optional<RelightFormat> formatNamed(const std::string& name) {
   if (name == "ply") return RelightFormat::kPly;
@@ -79,58 +78,26 @@ float automaticExposure(const RelightOptions& options, const std::vector<Vec3f>&
   return exposure;
 }
 
-struct Ringing {
-  std::uint64_t vertices = 0;  // with a negative colour
-  float deepest = 0;           // most negative value
-  double mean = 0;             // luminance
-};
-
-Ringing measureRinging(const std::vector<Vec3f>& radiance) {
-  Ringing ringing;
-  for (const Vec3f& value : radiance)
-    ringing.mean += static_cast<double>(luminance(value)) / static_cast<double>(radiance.size());
-  const auto rounding = static_cast<float>(kRounding * std::max(0.0, ringing.mean));
-  for (const Vec3f& value : radiance) {
-    const float least = std::min({value.x, value.y, value.z});
-    ringing.vertices += least < -rounding;
-    ringing.deepest = std::min(ringing.deepest, least);
-  }
-  return ringing;
-}
-
-void noteRinging(const Console& console, const RelightOptions& options, const Ringing& ringing,
-                 bool display) {
-  if (ringing.vertices == 0) return;
-  const auto deepest = static_cast<double>(ringing.deepest);
-  const std::string depth = ringing.mean > 0
-                                ? fmt::format("{:.2g}% of the mean", 100 * deepest / ringing.mean)
-                                : fmt::format("{:.3g}, the mean being {:.3g}", deepest, ringing.mean);
-  // Shadows can ring where the unshadowed irradiance, which auto looks at, does not.
-  const bool softer = options.window == Window::kNone || options.window == Window::kAuto;
-  console.note(fmt::format("{} a negative colour, down to {}, from ringing or negative light{}{}",
-                           countOf(ringing.vertices, "vertex has", "vertices have"), depth,
-                           display ? "; shown as 0" : "",
-                           softer && ringing.mean > 0 ? "; --window hann softens the light" : ""));
-}
-
 void writeColouredMesh(const RelightOptions& options, const TransferAsset& asset,
-                       const std::vector<Vec3f>& radiance, float exposure) {
+                       const std::vector<Vec3f>& radiance, const std::vector<Vec3f>& standardErrors,
+                       float exposure) {
   std::vector<std::array<std::uint8_t, 3>> colours;
   colours.reserve(radiance.size());
   for (const Vec3f& value : radiance) colours.push_back(encodeSrgb8(value, exposure));
-  writePly(options.output, asset.positions, asset.normals, colours, radiance, asset.triangles);
+  writePly(options.output, asset.positions, asset.normals, colours, radiance, asset.triangles,
+           standardErrors);
 }
 
 void writeResult(const RelightOptions& options, RelightFormat format, const TransferAsset& asset,
-                 const std::vector<Vec3f>& first, const FrameRadiance& radiance, const LightSum& lights,
-                 float exposure) {
+                 const std::vector<Vec3f>& first, const std::vector<Vec3f>& standardErrors,
+                 const FrameRadiance& radiance, const LightSum& lights, float exposure) {
   switch (format) {
     case RelightFormat::kPly:
-      return writeColouredMesh(options, asset, first, exposure);
+      return writeColouredMesh(options, asset, first, standardErrors, exposure);
     case RelightFormat::kCsv:
-      return writeText(options.output, formatRadianceCsv(asset, first));
+      return writeText(options.output, formatRadianceCsv(asset, first, standardErrors));
     case RelightFormat::kJson:
-      return writeText(options.output, formatRadianceJson(asset, first));
+      return writeText(options.output, formatRadianceJson(asset, first, standardErrors));
     case RelightFormat::kExr:
     case RelightFormat::kPng:
       return writePictures(options, format, asset, radiance, lights, exposure);
@@ -155,6 +122,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
 
   const TransferAsset asset = readAsset(options.asset);
   checkLighting(options, parsed, !asset.emission.empty());
+  checkErrorBars(options, asset);
   noteCorrection(console, options.rotation);
   console.field("asset",
                 fmt::format("{}, {}, degree {}", options.asset,
@@ -170,9 +138,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   const Clock::time_point start = Clock::now();
   // Frames are relit again when they are drawn: cheaper than keeping all of them.
   const FrameRadiance radiance = [&](int frame) {
-    const std::optional<Mat3> rotation = frameRotation(options, frame);
-    std::vector<Vec3f> values =
-        relight(asset, rotation ? rotateLight(lights.light, *rotation) : lights.light, emissionFactor);
+    std::vector<Vec3f> values = relight(asset, frameLight(options, lights.light, frame), emissionFactor);
     if (!std::all_of(values.begin(), values.end(), [](const Vec3f& value) { return isFinite(value); })) {
       throw Error(options.asset, "radiance under this light is beyond float",
                   "use a dimmer light, --emission or --exposure");
@@ -184,6 +150,10 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   console.field("relit", options.lights.empty()
                              ? fmt::format("by the emission alone in {:.4f} s", seconds)
                              : fmt::format("at degree {} in {:.4f} s", lights.light.degree, seconds));
+
+  const std::vector<Vec3f> standardErrors =
+      errorBars(console, options, asset, frameLight(options, lights.light, 0));
+  const Json standardErrorFigures = describeErrorBars(console, first, standardErrors);
 
   // Display values need an exposure; with --exposure it is in the light already.
   const bool display = format == RelightFormat::kPng || format == RelightFormat::kPly;
@@ -198,7 +168,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
   }
   const Ringing ringing = measureRinging(first);
   noteRinging(console, options, ringing, display);
-  writeResult(options, format, asset, first, radiance, lights, exposure);
+  writeResult(options, format, asset, first, standardErrors, radiance, lights, exposure);
   console.field("wrote", options.output == "-" ? "standard output"
                          : !options.turntable
                              ? options.output
@@ -216,6 +186,7 @@ int runRelight(const RelightOptions& options, const CLI::App& parsed) {
                 {"exposureIsAutomatic", automatic},
                 {"negativeVertices", ringing.vertices},
                 {"deepestNegative", ringing.deepest},
+                {"standardError", standardErrorFigures},
                 {"secondsToRelight", seconds}});
   return 0;
 }
@@ -261,6 +232,9 @@ void addRelightCommand(CLI::App& app, Command& chosen) {
               "Multiply all light by 2^EV (default: 0, but for .png and colours of .ply automatic)");
   addNumber(sub, "--emission", options->emission, 0, std::numeric_limits<double>::infinity(),
             "Multiply the light that the scene itself sends out by this (default: 1)");
+  sub.add_flag("--error-bars", options->errorBars,
+               "Tell the standard error that rays leave in the radiance; .csv, .json and .ply have it per "
+               "vertex. Needs an asset with errors (bake --error-part)");
   addLayout(sub, options->light.layout);
   addWindow(sub, options->window);
   addPictureOptions(sub, *options);

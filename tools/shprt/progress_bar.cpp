@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "interrupt.h"
 
@@ -42,6 +43,11 @@ ProgressBar::ProgressBar(std::string label, bool quiet)
 
 ProgressBar::~ProgressBar() {
   if (drawn_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void ProgressBar::setLabel(std::string label) {
+  label_ = std::move(label);
+  if (terminal_) shown_ = {};
 }
 
 ProgressCallback ProgressBar::callback() {

@@ -18,6 +18,9 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  // What the work has come to, shown at once.
+  void setLabel(std::string label);
+
   // For the library to call; the bar must outlive it. Throws Interrupted after Ctrl-C.
   ProgressCallback callback();
 

@@ -9,11 +9,16 @@
 
 namespace shprt {
 
-// A line x,y,z,nx,ny,nz,r,g,b, then one per vertex; floats in the shortest form that reads back to the same
-// bits.
-std::string formatRadianceCsv(const TransferAsset& asset, std::span<const Vec3f> radiance);
+// Standard errors are per vertex, as radiance, or empty: then their columns and their array are not there.
 
-// {"format":"shprt-radiance","version":1,"vertexCount":n,"positions":[[x,y,z],...],"normals":...,"radiance":[[r,g,b],...]}
-std::string formatRadianceJson(const TransferAsset& asset, std::span<const Vec3f> radiance);
+// A line x,y,z,nx,ny,nz,r,g,b[,r_error,g_error,b_error], then one per vertex; floats in the shortest form
+// that reads back to the same bits.
+std::string formatRadianceCsv(const TransferAsset& asset, std::span<const Vec3f> radiance,
+                              std::span<const Vec3f> standardErrors);
+
+// {"format":"shprt-radiance","version":1,"vertexCount":n,"positions":[[x,y,z],...],"normals":...,"radiance":[[r,g,b],...]
+// [,"standardErrors":[[r,g,b],...]]}
+std::string formatRadianceJson(const TransferAsset& asset, std::span<const Vec3f> radiance,
+                               std::span<const Vec3f> standardErrors);
 
 }  // namespace shprt

@@ -73,6 +73,11 @@ std::optional<Mat3> frameRotation(const RelightOptions& options, int frame) {
   return parseRotation(fmt::format("axis:0,1,0,{}", degrees)) * asked.value_or(Mat3{});
 }
 
+LightCoefficients frameLight(const RelightOptions& options, const LightCoefficients& light, int frame) {
+  const std::optional<Mat3> rotation = frameRotation(options, frame);
+  return rotation ? rotateLight(light, *rotation) : light;
+}
+
 std::string frameFile(const RelightOptions& options, int frame) {
   if (!options.turntable) return options.output;
   const std::filesystem::path path(options.output);

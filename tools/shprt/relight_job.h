@@ -23,7 +23,8 @@ struct RelightOptions {
   std::optional<RotationArgument> rotation;
   std::optional<double> exposure;
   std::optional<double> emission;  // factor on the asset's own emission
-  std::string camera;              // "" for the automatic one
+  bool errorBars = false;
+  std::string camera;  // "" for the automatic one
   int width = 960, height = 720, samples = 16;
   bool background = false;  // show the image that gives the light
   std::optional<Vec3f> backgroundColour;
@@ -56,6 +57,9 @@ int frameCount(const RelightOptions& options);
 // The turn of the light in one frame: --rotate first, then the turntable's part of a full circle about +Y.
 // Empty when nothing turns.
 std::optional<Mat3> frameRotation(const RelightOptions& options, int frame);
+
+// The light as it stands in one frame.
+LightCoefficients frameLight(const RelightOptions& options, const LightCoefficients& light, int frame);
 
 // The file of one frame: OUT itself, or OUT with _0001, _0002, ... before its suffix.
 std::string frameFile(const RelightOptions& options, int frame);

@@ -8,13 +8,15 @@ namespace shprt::asset_layout {
 
 inline constexpr int kFormatVersion = 1;
 
-// Parts, in file order; emission only when the scene has lights of its own, textureCoordinates only when the
-// mesh has any.
+// Parts, in file order; emission only when the scene has lights of its own, the errors only when they were
+// measured, textureCoordinates only when the mesh has any.
 inline constexpr const char* kTransfer = "transfer";
 inline constexpr const char* kPositions = "positions";
 inline constexpr const char* kNormals = "normals";
 inline constexpr const char* kAlbedo = "albedo";
 inline constexpr const char* kEmission = "emission";
+inline constexpr const char* kError = "error";
+inline constexpr const char* kEmissionError = "emissionError";
 inline constexpr const char* kTextureCoordinates = "textureCoordinates";
 inline constexpr const char* kTriangles = "triangles";
 
@@ -30,6 +32,12 @@ inline constexpr const char* kMetadataAttribute = "shprtMetadata";
 
 inline constexpr std::size_t kMaximumPlanBytes = std::size_t{1}
                                                  << 20;  // of the object "plan" in the metadata
+
+// The name of one of `channels` channels, 1 or 3, of the parts `transfer` and `error`; they have the same.
+inline const char* channelName(int channels, int channel) {
+  constexpr const char* kNames[] = {"R", "G", "B"};
+  return channels == 1 ? "Y" : kNames[channel];
+}
 
 // Tiles of the part `transfer` are as high as the image and at most this wide.
 inline constexpr unsigned kMaximumTileWidth = 16384;

@@ -45,6 +45,39 @@ void parseObjects(const std::filesystem::path& path, const nlohmann::json& list,
   }
 }
 
+double notNegative(const JsonObject& json, const char* field) {
+  const double value = json.number(field);
+  if (value < 0) json.fail(field, "is negative");
+  return value;
+}
+
+nlohmann::ordered_json samplingObject(const AssetMetadata& metadata) {
+  nlohmann::ordered_json sampling;
+  if (metadata.samplingError >= 0) sampling["error"] = metadata.samplingError;
+  if (metadata.samplingErrorBound >= 0) sampling["errorBound"] = metadata.samplingErrorBound;
+  for (const auto& [rays, vertices] : metadata.verticesByRays)
+    sampling["verticesByRays"].push_back({rays, vertices});
+  return sampling;
+}
+
+void parseSampling(const JsonObject& sampling, AssetMetadata& metadata) {
+  if (sampling.has("error")) metadata.samplingError = notNegative(sampling, "error");
+  if (sampling.has("errorBound")) metadata.samplingErrorBound = notNegative(sampling, "errorBound");
+  if (!sampling.has("verticesByRays")) return;
+  std::int64_t previous = -1;
+  for (const nlohmann::json& entry : sampling.list("verticesByRays")) {
+    if (!entry.is_array() || entry.size() != 2 || !entry[0].is_number_unsigned() ||
+        !entry[1].is_number_unsigned())
+      sampling.fail("verticesByRays", "has an entry that is no pair of rays and vertices");
+    const auto rays = entry[0].get<std::uint64_t>();
+    if (rays > static_cast<std::uint64_t>(std::numeric_limits<int>::max()) ||
+        static_cast<std::int64_t>(rays) <= previous)
+      sampling.fail("verticesByRays", "has rays that are out of range or do not increase");
+    previous = static_cast<std::int64_t>(rays);
+    metadata.verticesByRays[static_cast<int>(rays)] = entry[1].get<std::uint64_t>();
+  }
+}
+
 // What scenes brought: assets of plain meshes, and those made before, have none of it.
 void parseSceneFields(const std::filesystem::path& path, const JsonObject& json, AssetMetadata& metadata) {
   if (json.has("objects")) parseObjects(path, json.list("objects"), metadata);
@@ -96,6 +129,8 @@ std::string formatMetadata(const std::filesystem::path& path, const TransferAsse
                                {"firstVertex", object.firstVertex},
                                {"vertexCount", object.vertexCount}});
   }
+  const Json sampling = samplingObject(metadata);
+  if (!sampling.empty()) json["sampling"] = sampling;
   if (!metadata.plan.empty()) json["plan"] = planObject(path, metadata.plan);
   return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }
@@ -136,6 +171,7 @@ ParsedMetadata parseMetadata(const std::filesystem::path& path, const std::strin
     metadata.notes.push_back(note.get<std::string>());
   }
   parseSceneFields(path, json, metadata);
+  if (json.has("sampling")) parseSampling(json.object("sampling"), metadata);
   return parsed;
 }
 

@@ -8,8 +8,6 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfTiledInputPart.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 
@@ -17,6 +15,7 @@
 #include "shprt/coefficients/asset_file.h"
 #include "shprt/coefficients/asset_layout.h"
 #include "shprt/coefficients/asset_metadata.h"
+#include "shprt/coefficients/asset_values.h"
 #include "shprt/coefficients/exr_input.h"
 #include "shprt/coefficients/object_ranges.h"
 
@@ -62,6 +61,7 @@ class AssetReader {
     asset_.normals = readVectors(kNormals, {"X", "Y", "Z"}, "X,Y,Z");
     asset_.albedo = readVectors(kAlbedo, {"R", "G", "B"}, "B,G,R");
     if (find(kEmission) >= 0) asset_.emission = readVectors(kEmission, {"R", "G", "B"}, "B,G,R");
+    readErrors();
     if (find(kTextureCoordinates) >= 0) {
       asset_.textureCoordinates.resize(checkRow(kTextureCoordinates, "U,V", Imf::FLOAT, 8, vertices));
       readRow(kTextureCoordinates, {"U", "V"}, Imf::FLOAT, asset_.textureCoordinates.data(), 8);
@@ -69,7 +69,8 @@ class AssetReader {
     asset_.triangles.resize(checkRow(kTriangles, "A,B,C", Imf::UINT, 12, 0));
     readRow(kTriangles, {"A", "B", "C"}, Imf::UINT, asset_.triangles.data(), 12);
     readTransfer();
-    checkValues();
+    const std::string problem = problemOfValues(asset_);
+    if (!problem.empty()) fail(problem);
     return std::move(asset_);
   }
 
@@ -174,9 +175,9 @@ class AssetReader {
     if (rays && rays->value() != metadata.rays) fail("attribute shprtRays disagrees with shprtMetadata");
   }
 
-  // The width of a one-row part, after all checks. expected 0: any.
-  std::size_t checkRow(const char* name, const char* channels, Imf::PixelType type, std::size_t bytesPerPixel,
-                       std::size_t expected) const {
+  // The width of a part, after all checks. expected 0: any.
+  std::size_t checkRows(const char* name, const char* channels, Imf::PixelType type,
+                        std::size_t bytesPerPixel, std::size_t expected, int rows) const {
     const Imf::Header& header = file_->header(require(name));
     const auto count = static_cast<std::size_t>(width(header));
     if (channelNames(header) != channels)
@@ -187,12 +188,18 @@ class AssetReader {
           channel.channel().ySampling != 1)
         fail(std::string("part ") + name + " has values of another type");
     }
-    if (height(header) != 1 || (expected && count != expected)) {
+    if (height(header) != rows || (expected && count != expected)) {
       fail(std::string("part ") + name + " is " + std::to_string(count) + " x " +
-           std::to_string(height(header)) + (expected ? ", not " + std::to_string(expected) + " x 1" : ""));
+           std::to_string(height(header)) +
+           (expected ? ", not " + std::to_string(expected) + " x " + std::to_string(rows) : ""));
     }
     checkStorage(name, header, bytesPerPixel);
     return count;
+  }
+
+  std::size_t checkRow(const char* name, const char* channels, Imf::PixelType type, std::size_t bytesPerPixel,
+                       std::size_t expected) const {
+    return checkRows(name, channels, type, bytesPerPixel, expected, 1);
   }
 
   template <typename Read>
@@ -229,6 +236,37 @@ class AssetReader {
     return vectors;
   }
 
+  // Both parts are optional, but errors of emission alone would be half the story.
+  void readErrors() {
+    if (find(kError) >= 0) readTransferError();
+    if (find(kEmissionError) < 0) return;
+    if (asset_.error.empty() || asset_.emission.empty())
+      fail(std::string("part ") + kEmissionError + " needs the parts " + kError + " and " + kEmission);
+    asset_.emissionError = readVectors(kEmissionError, {"R", "G", "B"}, "B,G,R");
+  }
+
+  void readTransferError() {
+    const TransferCoefficients& transfer = asset_.transfer;
+    TransferError& error = asset_.error;
+    error.degree = transfer.degree;
+    error.channels = transfer.channels;
+    const auto channels = static_cast<std::size_t>(transfer.channels);
+    error.vertexCount = checkRows(kError, transfer.channels == 1 ? "Y" : "B,G,R", Imf::FLOAT,
+                                  channels * sizeof(float), transfer.vertexCount, error.bands());
+    error.values.resize(channels * static_cast<std::size_t>(error.bands()) * error.vertexCount);
+    guarded(kError, [&] {
+      Imf::FrameBuffer frame;
+      for (int channel = 0; channel < error.channels; ++channel) {
+        frame.insert(channelName(error.channels, channel),
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(error.row(channel, 0)), sizeof(float),
+                                error.vertexCount * sizeof(float)));
+      }
+      Imf::InputPart part(*file_, require(kError));
+      part.setFrameBuffer(frame);
+      part.readPixels(0, error.bands() - 1);
+    });
+  }
+
   void readTransfer() {
     TransferCoefficients& transfer = asset_.transfer;
     guarded(kTransfer, [&] {
@@ -236,10 +274,7 @@ class AssetReader {
                              transfer.vertexCount);
       Imf::FrameBuffer frame;
       for (int channel = 0; channel < transfer.channels; ++channel) {
-        frame.insert(transfer.channels == 1 ? "Y"
-                     : channel == 0         ? "R"
-                     : channel == 1         ? "G"
-                                            : "B",
+        frame.insert(channelName(transfer.channels, channel),
                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(transfer.row(channel, 0)), sizeof(float),
                                 transfer.vertexCount * sizeof(float)));
       }
@@ -247,39 +282,6 @@ class AssetReader {
       part.setFrameBuffer(frame);
       part.readTiles(0, part.numXTiles() - 1, 0, part.numYTiles() - 1);
     });
-  }
-
-  void checkValues() const {
-    const TransferCoefficients& transfer = asset_.transfer;
-    const auto badValue = std::find_if(transfer.values.begin(), transfer.values.end(),
-                                       [](float value) { return !std::isfinite(value); });
-    if (badValue != transfer.values.end()) {
-      const auto index = static_cast<std::size_t>(badValue - transfer.values.begin());
-      const std::size_t coefficient =
-          index / transfer.vertexCount % static_cast<std::size_t>(transfer.rows());
-      fail("part transfer holds a value that is not finite at vertex " +
-           std::to_string(index % transfer.vertexCount) + ", coefficient " + std::to_string(coefficient));
-    }
-    checkFinite(kPositions, asset_.positions);
-    checkFinite(kNormals, asset_.normals);
-    checkFinite(kAlbedo, asset_.albedo);
-    checkFinite(kEmission, asset_.emission);
-    for (std::size_t t = 0; t < asset_.triangles.size(); ++t) {
-      const std::uint32_t largest = *std::max_element(asset_.triangles[t].begin(), asset_.triangles[t].end());
-      if (largest >= transfer.vertexCount) {
-        fail("part triangles names vertex " + std::to_string(largest) + " in triangle " + std::to_string(t) +
-             ", but there are " + std::to_string(transfer.vertexCount));
-      }
-    }
-  }
-
-  void checkFinite(const char* name, const std::vector<Vec3f>& vectors) const {
-    const auto bad =
-        std::find_if(vectors.begin(), vectors.end(), [](const Vec3f& v) { return !isFinite(v); });
-    if (bad != vectors.end()) {
-      fail(std::string("part ") + name + " holds a value that is not finite at vertex " +
-           std::to_string(bad - vectors.begin()));
-    }
   }
 
   std::filesystem::path path_;

@@ -30,9 +30,18 @@ void selectEntries(const std::vector<T>& whole, std::vector<T>& selected,
   selected.resize(kept.size());
 }
 
-void selectColumns(const TransferCoefficients& whole, TransferCoefficients& selected,
-                   std::span<const std::uint32_t> kept) {
-  const auto rows = static_cast<std::size_t>(whole.channels * whole.rows());
+int rowsPerChannel(const TransferCoefficients& transfer) {
+  return transfer.rows();
+}
+
+int rowsPerChannel(const TransferError& error) {
+  return error.bands();
+}
+
+// Of TransferCoefficients and TransferError, whose rows run over the vertices.
+template <typename T>
+void selectColumns(const T& whole, T& selected, std::span<const std::uint32_t> kept) {
+  const auto rows = static_cast<std::size_t>(whole.channels * rowsPerChannel(whole));
   const std::size_t stride = whole.vertexCount;
   selected.degree = whole.degree;
   selected.channels = whole.channels;
@@ -64,10 +73,12 @@ void select(const TransferAsset& whole, TransferAsset& selected, std::span<const
   assert(kept.empty() || kept.back() < whole.transfer.vertexCount);
   selectTriangles(whole, selected, kept);
   selectColumns(whole.transfer, selected.transfer, kept);
+  if (!whole.error.empty()) selectColumns(whole.error, selected.error, kept);
   selectEntries(whole.positions, selected.positions, kept);
   selectEntries(whole.normals, selected.normals, kept);
   selectEntries(whole.albedo, selected.albedo, kept);
   selectEntries(whole.emission, selected.emission, kept);
+  selectEntries(whole.emissionError, selected.emissionError, kept);
   selectEntries(whole.textureCoordinates, selected.textureCoordinates, kept);
   selected.metadata.objects = keepRanges(whole.metadata.objects, kept);
 }

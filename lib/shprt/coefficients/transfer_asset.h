@@ -34,6 +34,25 @@ struct TransferCoefficients {
   }
 };
 
+// What sampling leaves uncertain in the transfer: per vertex, channel and band l the standard error, the root
+// of the expected squared 2-norm of the error of that band's 2l+1 coefficients, in the units of transfer
+// (albedo folded in). Per vertex they are estimates from few numbers; what is exact has zeros.
+struct TransferError {
+  int degree = 0;
+  int channels = 1;  // as the transfer
+  std::size_t vertexCount = 0;
+  std::vector<float> values;  // [channel][band][vertex]
+
+  bool empty() const { return values.empty(); }
+  int bands() const { return degree + 1; }
+  const float* row(int channel, int band) const {
+    return values.data() + (static_cast<std::size_t>(channel) * static_cast<std::size_t>(bands()) +
+                            static_cast<std::size_t>(band)) *
+                               vertexCount;
+  }
+  float* row(int channel, int band) { return const_cast<float*>(std::as_const(*this).row(channel, band)); }
+};
+
 struct SourceFile {
   std::string file;    // as given on the command line
   std::string sha256;  // of its bytes
@@ -66,6 +85,12 @@ struct AssetMetadata {
   // A JSON object: which effects the scene was found to call for, and what was skipped and why; "" for none.
   // Reading puts its fields in alphabetical order.
   std::string plan;
+  // What sampling left uncertain over the whole scene, as SamplingStatistics measures it (transfer/bake.h);
+  // negative where it was not measured.
+  double samplingError = -1, samplingErrorBound = -1;
+  // How many vertices of the scene took how many rays (0: exact without). Empty where all took `rays`; where
+  // not, `rays` is the mean, rounded.
+  std::map<int, std::uint64_t> verticesByRays;
 };
 
 // A self-contained asset: mesh and transfer.
@@ -73,8 +98,10 @@ struct TransferAsset {
   TransferCoefficients transfer;
   std::vector<Vec3f> positions;  // per vertex, in the source's units
   std::vector<Vec3f> normals;
-  std::vector<Vec3f> albedo;              // linear Rec.709, as folded into transfer
-  std::vector<Vec3f> emission;            // outgoing radiance that the scene's own lights cause; or empty
+  std::vector<Vec3f> albedo;         // linear Rec.709, as folded into transfer
+  std::vector<Vec3f> emission;       // outgoing radiance that the scene's own lights cause; or empty
+  TransferError error;               // or empty
+  std::vector<Vec3f> emissionError;  // standard errors of emission; empty unless both it and error are there
   std::vector<Vec2f> textureCoordinates;  // or empty
   std::vector<std::array<std::uint32_t, 3>> triangles;
   AssetMetadata metadata;

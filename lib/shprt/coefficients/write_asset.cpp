@@ -1,5 +1,5 @@
 // The asset as multi-part OpenEXR: transfer in tiles that hold all coefficients of a block of vertices,
-// geometry in single rows.
+// errors in a row per band, geometry in single rows.
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -68,6 +68,9 @@ class AssetWriter {
       writeRow(file, part++, {"X", "Y", "Z"}, &asset_.normals[0].x, 3);
       writeRow(file, part++, {"R", "G", "B"}, &asset_.albedo[0].x, 3);
       if (!asset_.emission.empty()) writeRow(file, part++, {"R", "G", "B"}, &asset_.emission[0].x, 3);
+      if (!asset_.error.empty()) writeError(file, part++);
+      if (!asset_.emissionError.empty())
+        writeRow(file, part++, {"R", "G", "B"}, &asset_.emissionError[0].x, 3);
       if (!asset_.textureCoordinates.empty())
         writeRow(file, part++, {"U", "V"}, &asset_.textureCoordinates[0].x, 2);
       writeTriangles(file, part);
@@ -102,6 +105,20 @@ class AssetWriter {
                   "the asset's transfer does not have the size that its degree, channels and "
                   "vertices ask for");
     }
+    checkErrors();
+  }
+
+  void checkErrors() const {
+    const TransferError& error = asset_.error;
+    const TransferCoefficients& transfer = asset_.transfer;
+    if (!error.empty() &&
+        (error.degree != transfer.degree || error.channels != transfer.channels ||
+         error.vertexCount != transfer.vertexCount ||
+         error.values.size() != static_cast<std::size_t>(error.channels * error.bands()) * error.vertexCount))
+      throw Error(name_.string(), "the asset's errors do not have the shape of its transfer");
+    if (!asset_.emissionError.empty() &&
+        (error.empty() || asset_.emissionError.size() != asset_.emission.size()))
+      throw Error(name_.string(), "the asset has errors of emission that go with no emission or no errors");
   }
 
   void roundToHalf() {
@@ -160,6 +177,14 @@ class AssetWriter {
     headers.push_back(makeHeader(kAlbedo, transfer.vertexCount, 1, {"R", "G", "B"}, Imf::FLOAT));
     if (!asset_.emission.empty())
       headers.push_back(makeHeader(kEmission, transfer.vertexCount, 1, {"R", "G", "B"}, Imf::FLOAT));
+    if (!asset_.error.empty()) {
+      headers.push_back(
+          transfer.channels == 1
+              ? makeHeader(kError, transfer.vertexCount, asset_.error.bands(), {"Y"}, Imf::FLOAT)
+              : makeHeader(kError, transfer.vertexCount, asset_.error.bands(), {"R", "G", "B"}, Imf::FLOAT));
+    }
+    if (!asset_.emissionError.empty())
+      headers.push_back(makeHeader(kEmissionError, transfer.vertexCount, 1, {"R", "G", "B"}, Imf::FLOAT));
     if (!asset_.textureCoordinates.empty())
       headers.push_back(makeHeader(kTextureCoordinates, transfer.vertexCount, 1, {"U", "V"}, Imf::FLOAT));
     headers.push_back(makeHeader(kTriangles, asset_.triangles.size(), 1, {"A", "B", "C"}, Imf::UINT));
@@ -175,16 +200,26 @@ class AssetWriter {
     for (int channel = 0; channel < transfer.channels; ++channel) {
       const std::size_t offset = static_cast<std::size_t>(channel) *
                                  static_cast<std::size_t>(transfer.rows()) * transfer.vertexCount;
-      frame.insert(transfer.channels == 1 ? "Y"
-                   : channel == 0         ? "R"
-                   : channel == 1         ? "G"
-                                          : "B",
+      frame.insert(channelName(transfer.channels, channel),
                    Imf::Slice(options_.half ? Imf::HALF : Imf::FLOAT, const_cast<char*>(base + offset * size),
                               size, transfer.vertexCount * size));
     }
     Imf::TiledOutputPart part(file, 0);
     part.setFrameBuffer(frame);
     part.writeTiles(0, part.numXTiles() - 1, 0, part.numYTiles() - 1);
+  }
+
+  void writeError(Imf::MultiPartOutputFile& file, int index) const {
+    const TransferError& error = asset_.error;
+    Imf::FrameBuffer frame;
+    for (int channel = 0; channel < error.channels; ++channel) {
+      frame.insert(channelName(error.channels, channel),
+                   Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(error.row(channel, 0))),
+                              sizeof(float), error.vertexCount * sizeof(float)));
+    }
+    Imf::OutputPart part(file, index);
+    part.setFrameBuffer(frame);
+    part.writePixels(error.bands());
   }
 
   void writeRow(Imf::MultiPartOutputFile& file, int index, std::initializer_list<const char*> channels,

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "shprt/sh/basis.h"
+#include "shprt/transfer/transfer_rows.h"
 
 namespace shprt {
 namespace {
@@ -65,6 +66,31 @@ void measureEmission(const std::vector<Vec3f>& emission, AssetStatistics& statis
   statistics.emissionShare = static_cast<double>(lit) / static_cast<double>(emission.size());
 }
 
+double squaredNorm(const Vec3f& v) {
+  const Vec3d wide = toDouble(v);
+  return dot(wide, wide);
+}
+
+double sumOfSquares(const std::vector<Vec3f>& vectors) {
+  double sum = 0;
+  for (const Vec3f& v : vectors) sum += squaredNorm(v);
+  return sum;
+}
+
+void measureErrors(const TransferAsset& asset, AssetStatistics& statistics) {
+  const TransferError& error = asset.error;
+  if (error.empty()) return;
+  double squares = 0;
+  for (const float value : error.values) squares += static_cast<double>(value) * static_cast<double>(value);
+  squares /= error.channels;
+  // The unshadowed transfer of every normal has the same norm, times albedo.
+  const double unshadowed = std::pow(unshadowedNorm(error.degree), 2) * sumOfSquares(asset.albedo) / 3;
+  if (unshadowed > 0) statistics.transferError = std::sqrt(squares / unshadowed);
+  const double emission = sumOfSquares(asset.emission);
+  if (!asset.emissionError.empty() && emission > 0)
+    statistics.emissionError = std::sqrt(sumOfSquares(asset.emissionError) / emission);
+}
+
 }  // namespace
 
 AssetStatistics measureAsset(const TransferAsset& asset) {
@@ -77,6 +103,7 @@ AssetStatistics measureAsset(const TransferAsset& asset) {
     statistics.bandEnergy.push_back(bandEnergy(asset.transfer, l));
   measureVisibility(asset, statistics);
   measureEmission(asset.emission, statistics);
+  measureErrors(asset, statistics);
   return statistics;
 }
 

@@ -17,6 +17,10 @@ struct AssetStatistics {
   // Of the radiance that the scene's own lights cause, over vertices and colours; all 0 without any.
   float minimumEmission = 0, maximumEmission = 0;
   double emissionShare = 0;  // of the vertices: those with any colour above 0
+  // Standard errors that sampling leaves: of the transfer, RMS over vertices and channels of the 2-norm, over
+  // that of the unshadowed transfer; of the scene's own light, RMS over RMS. Negative where the asset has
+  // none, and where it would be relative to nothing.
+  double transferError = -1, emissionError = -1;
 };
 
 AssetStatistics measureAsset(const TransferAsset& asset);

@@ -79,6 +79,27 @@ void compareVectors(Comparison& comparison, const char* name, const std::vector<
   });
 }
 
+// Standard errors, as parts beside the transfer. Of the same degree; one channel stands for three.
+void compareErrors(Comparison& comparison, const TransferAsset& a, const TransferAsset& b,
+                   const Tolerance& tolerance) {
+  if (a.error.empty() != b.error.empty()) {
+    comparison.differingParts.push_back("error: only one of them has any");
+  } else if (!a.error.empty()) {
+    const int channels = std::max(a.error.channels, b.error.channels);
+    const std::size_t perChannel = static_cast<std::size_t>(a.error.bands()) * a.error.vertexCount;
+    const auto value = [&](const TransferError& error, std::size_t i) {
+      return static_cast<double>(error.values[error.channels == 1 ? i % perChannel : i]);
+    };
+    comparePart(comparison, "error", static_cast<std::size_t>(channels) * perChannel, tolerance,
+                [&](std::size_t i) { return std::pair(value(a.error, i), value(b.error, i)); });
+  }
+  if (a.emissionError.size() != b.emissionError.size()) {
+    comparison.differingParts.push_back("emissionError: only one of them has any");
+  } else {
+    compareVectors(comparison, "emissionError", a.emissionError, b.emissionError, tolerance);
+  }
+}
+
 }  // namespace
 
 Comparison notComparable(const std::string& why) {
@@ -142,6 +163,7 @@ Comparison compareAssets(const TransferAsset& a, const TransferAsset& b, const T
   } else {
     compareVectors(comparison, "emission", a.emission, b.emission, tolerance);
   }
+  compareErrors(comparison, a, b, tolerance);
   if (a.textureCoordinates.size() != b.textureCoordinates.size()) {
     comparison.differingParts.push_back("textureCoordinates: only one of them has any");
   } else {

@@ -13,25 +13,26 @@
 #include <vector>
 
 #include "shprt/base/vec.h"
+#include "shprt/sampling/hemisphere_set.h"
 
 namespace shprt {
 
-class FibonacciHemisphere {
+class FibonacciHemisphere final : public HemisphereSet {
  public:
   // count >= 1 points. Their order is a permutation of the lattice that puts neighbours of the disc into the
   // same group of `groupSize` points, so that packets of rays stay together.
   FibonacciHemisphere(int count, int groupSize);
 
-  int count() const { return count_; }
-  // count() rounded up to whole groups; the points beyond count() repeat the last one.
-  std::size_t paddedCount() const { return cosines_.size(); }
-
-  // Directions in world space around unit `normal` for the vertex that (seed, index) names, as three arrays
-  // of paddedCount() floats.
-  void directions(Vec3d normal, std::uint64_t seed, std::uint64_t index, float* x, float* y, float* z) const;
+  std::size_t paddedCount() const override { return cosines_.size(); }
+  void directions(Vec3d normal, std::uint64_t seed, std::uint64_t index, float* x, float* y,
+                  float* z) const override;
+  // Halves by the parity of i; quarters by that of i and of the whole turns in i / golden ratio. Those of a
+  // quarter make the same lattice stretched by two, both ways, but for a seam along one radius.
+  std::span<const std::uint8_t> quarters() const override { return quarters_; }
+  std::span<const std::uint8_t> sixteenths() const override { return sixteenths_; }
 
  private:
-  int count_;
+  std::vector<std::uint8_t> quarters_, sixteenths_;
   std::vector<float> cosines_, sines_;  // of the azimuth at t = 0
   std::vector<float> rings_;            // i / n
 };

@@ -1,5 +1,6 @@
 #include "shprt/sampling/hemisphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,10 @@ Vec3d sampleCosineHemisphere(double u, double v) {
   const double radius = std::sqrt(u);
   const double phi = 2 * std::numbers::pi * v;
   return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - u)};
+}
+
+Vec3f cosineDirectionAround(const Frame& frame, double u, double v) {
+  return toFloat(frame.toWorld(sampleCosineHemisphere(std::min(u, static_cast<double>(kLargestRing)), v)));
 }
 
 double pdfCosineHemisphere(Vec3d direction) {

@@ -24,4 +24,16 @@ constexpr double uniformRandom(std::uint64_t seed, std::uint64_t index, unsigned
   return static_cast<double>(hashCounter(seed, index * 256 + dimension) >> 11) * 0x1p-53;
 }
 
+// A point of the unit square.
+struct SquarePoint {
+  double u, v;
+};
+
+// Independent and uniform in [0, 1)^2 for every counter under one key, on a grid of 2^-32. For as many
+// numbers as one likes under a (seed, index), take hashCounter(seed, index) as the key.
+constexpr SquarePoint randomPoint(std::uint64_t key, std::uint64_t counter) {
+  const std::uint64_t bits = hashCounter(key, counter);
+  return {static_cast<double>(bits >> 32) * 0x1p-32, static_cast<double>(bits & 0xffffffffu) * 0x1p-32};
+}
+
 }  // namespace shprt

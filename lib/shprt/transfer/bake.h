@@ -4,13 +4,17 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shprt/base/progress.h"
 #include "shprt/base/vec.h"
 #include "shprt/coefficients/transfer_asset.h"
+#include "shprt/sampling/hemisphere_set.h"
 #include "shprt/scene/scene.h"
+#include "shprt/transfer/point_errors.h"
 #include "shprt/transfer/prepared_scene.h"
+#include "shprt/transfer/ray_plan.h"
 
 namespace shprt {
 
@@ -19,6 +23,29 @@ struct BounceStatistics {
   double norm = 0;  // RMS over receivers and channels of the 2-norm of what it adds, over that of the
                     // unshadowed transfer; per unit albedo
   double seconds = 0;
+};
+
+// One go at the rays: how many of all points together, and what they left uncertain.
+struct SamplingPass {
+  std::uint64_t rays = 0;
+  double seconds = 0;
+  double error = 0;  // as SamplingStatistics::error
+};
+
+// What sampling leaves uncertain, estimated from the differences between parts of each point's rays
+// (sampling_error.h). Where rays were fixed and no error was asked for, all of it is empty.
+struct SamplingStatistics {
+  bool measured = false;
+  double error = 0;  // RMS over receivers' vertices and channels of the 2-norm of the transfer's error, over
+                     // that of the unshadowed transfer
+  double errorBound = 0;     // which the true one exceeds with a probability of 5% (docs/accuracy.md)
+  double rate = 0;           // error falls as rays^-rate; measured
+  double emissionError = 0;  // RMS of that of light of the scene's own, over RMS of that light; 0 without
+  double raysPerVertex = 0;  // mean over receivers' vertices of the rays that made the result
+  // Receivers' vertices by their rays, where those differ rounded to a power of two (0: exact without);
+  // increasing.
+  std::vector<std::pair<int, std::uint64_t>> verticesByRays;
+  std::vector<SamplingPass> passes;  // in order; all but the first are in the result
 };
 
 struct BakeStatistics {
@@ -48,12 +75,15 @@ struct BakeStatistics {
   // would add of the scene's own lights, over all that those brought (see bounce_series.h).
   double remainder = 0;
   bool tailSummed = false;  // whether that was added as a geometric series
+  SamplingStatistics sampling;
 };
 
 // One column per vertex of the scene. Blockers' columns are zero.
 struct Bake {
   TransferCoefficients transfer;
   std::vector<Vec3f> emission;  // per vertex: outgoing radiance that the scene's own lights cause; or empty
+  TransferError error;          // where it was asked for, else empty
+  std::vector<Vec3f> emissionError;
   BakeStatistics statistics;
 };
 
@@ -67,6 +97,15 @@ struct ShadowedOptions {
   std::uint64_t seed = 1;
   // Trace from points that nothing stands above, too: the same transfer, later.
   bool traceEverything = false;
+  PointSet points = PointSet::kLattice;
+  const RayPlan* rayPlan = nullptr;    // what each point takes, instead of `rays` of `points`
+  PointErrors* pointErrors = nullptr;  // filled, where it is given
+  // Per point, whether it is buried: taken from there where it is not empty, else filled. A fact of the scene,
+  // which bakes of it with other rays need not find out again.
+  std::vector<std::uint8_t>* burials = nullptr;
+  // Estimate by rays only the difference from the unshadowed transfer (direct_transfer.h). Without it, as
+  // others do; for comparison.
+  bool controlVariate = true;
 };
 
 // Transfer with shadows that all objects cast, by cosine-distributed rays (see shadowed.cpp). Vertices that
@@ -91,6 +130,11 @@ struct InterreflectedOptions {
   std::uint64_t hitMemory = std::uint64_t{2}
                             << 30;  // bytes of hits to keep; rays beyond are traced anew for every bounce
   bool traceEverything = false;     // as ShadowedOptions
+  PointSet points = PointSet::kLattice;
+  const RayPlan* rayPlan = nullptr;
+  PointErrors* pointErrors = nullptr;
+  std::vector<std::uint8_t>* burials = nullptr;
+  bool controlVariate = true;
 };
 
 // Transfer with shadows and light that bounces between diffuse surfaces, and what the scene's own lights send

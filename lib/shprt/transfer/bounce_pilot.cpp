@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "shprt/base/parallel.h"
+#include "shprt/sampling/fibonacci_hemisphere.h"
 #include "shprt/sampling/random.h"
 #include "shprt/transfer/material_evidence.h"
 #include "shprt/transfer/pilot_vertex.h"

@@ -6,6 +6,8 @@
 // squared error.)
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,8 +17,8 @@ namespace shprt {
 
 class DirectTransfer {
  public:
-  // unshadowed must outlive it and be of the same degree.
-  DirectTransfer(int degree, const UnshadowedTransfer& unshadowed);
+  // unshadowed must outlive it and be of the same degree. Without controlVariate, T = mean(V y).
+  DirectTransfer(int degree, const UnshadowedTransfer& unshadowed, bool controlVariate = true);
 
   // Mean of visibility times y_lm over the cosine-weighted hemisphere of the point traced last:
   // coefficientCount(degree) numbers, per unit albedo, good until the next call. For HemisphereTracer and
@@ -24,11 +26,30 @@ class DirectTransfer {
   template <class Tracer>
   std::span<const double> evaluate(const Tracer& tracer);
 
+  // What the quarters of the rays give for the point evaluated last (with the same a) as contrasts
+  // (point_errors.h), and how far sixteenths are from their quarters: the mean over all of them of the
+  // squared norm of the difference; 0 unless asked for. For HemisphereTracer.
+  struct Parts {
+    std::array<std::span<const double>, 3> contrasts;  // per coefficient, good until the next call
+    double sixteenthSquare = 0;
+  };
+  template <class Tracer>
+  Parts parts(const Tracer& tracer, bool withSixteenths);
+
  private:
+  template <class Tracer>
+  void sumPart(const Tracer& tracer, std::span<const std::uint8_t> parts, unsigned part,
+               std::vector<double>& mean);
+
   int degree_;
   const UnshadowedTransfer& unshadowed_;
+  bool controlVariate_;
+  bool isExact_ = true;
   std::vector<float> weights_;
   std::vector<double> transfer_, differences_;
+  std::array<std::vector<float>, 4> partRays_;  // x, y, z, weight
+  std::array<std::vector<double>, 4> quarters_, sixteenths_;
+  std::array<std::vector<double>, 3> contrasts_;
 };
 
 }  // namespace shprt

@@ -4,26 +4,20 @@
 
 namespace shprt {
 
-HemisphereTracer::HemisphereTracer(const PreparedScene& prepared, const FibonacciHemisphere& lattice,
-                                   std::uint64_t seed, bool spare)
+HemisphereTracer::HemisphereTracer(const PreparedScene& prepared, const RayPlan& plan, std::uint64_t seed,
+                                   bool spare)
     : topology_(prepared.topology),
       caster_(prepared.caster),
       bounds_(prepared.bounds),
-      lattice_(lattice),
+      plan_(plan),
       seed_(seed),
-      spare_(spare),
-      rays_(static_cast<std::size_t>(lattice.count())),
-      x_(lattice.paddedCount()),
-      y_(x_.size()),
-      z_(x_.size()),
-      sky_(x_.size() / kRayPacketSize) {}
+      spare_(spare) {}
 
 void HemisphereTracer::traceVisibility(std::size_t point) {
   trace<false>(point);
 }
 
 void HemisphereTracer::traceHits(std::size_t point) {
-  hits_.resize(sky_.size());
   trace<true>(point);
 }
 
@@ -33,6 +27,14 @@ void HemisphereTracer::traceHitsFrom(std::size_t step) {
 
 template <bool kWithHits>
 void HemisphereTracer::trace(std::size_t point) {
+  set_ = &plan_.set(point);
+  rays_ = static_cast<std::size_t>(set_->count());
+  packets_ = set_->paddedCount() / kRayPacketSize;
+  if (sky_.size() < packets_) {
+    sky_.resize(packets_);
+    for (std::vector<float>* coordinate : {&x_, &y_, &z_}) coordinate->resize(set_->paddedCount());
+  }
+  if (kWithHits && hits_.size() < packets_) hits_.resize(packets_);
   const std::uint32_t vertex = topology_.verticesOfPoint(point).front();
   normal_ = topology_.normal(vertex);
   origin_ = topology_.positions()[vertex];
@@ -43,11 +45,11 @@ void HemisphereTracer::trace(std::size_t point) {
   if (open_) raysSpared_ += rays_;
   if (open_ && horizon_.empty()) {
     ++unoccludedPoints_;
-    std::fill(sky_.begin(), sky_.end(), ~0u);
+    std::fill_n(sky_.begin(), packets_, ~0u);
     visible_ = rays_;
     return;
   }
-  lattice_.directions(normal_, seed_, vertex, x_.data(), y_.data(), z_.data());
+  set_->directions(normal_, seed_, vertex, x_.data(), y_.data(), z_.data());
   castRays<kWithHits>();
   if (visible_ > 0) return;
   for (std::size_t step = 1; step < horizon_.stepCount(); ++step) {
@@ -67,7 +69,7 @@ template <bool kWithHits>
 void HemisphereTracer::castRays() {
   const IgnoredTriangles ignored{meeting_, touching_, static_cast<float>(topology_.contactDistance())};
   visible_ = 0;
-  for (std::size_t packet = 0; packet < sky_.size(); ++packet) {
+  for (std::size_t packet = 0; packet < packets_; ++packet) {
     const std::size_t first = packet * kRayPacketSize;
     const RayPacket rays{&x_[first], &y_[first], &z_[first]};
     const std::size_t lanes = std::min<std::size_t>(kRayPacketSize, rays_ - first);

@@ -14,22 +14,20 @@
 #include <vector>
 
 #include "shprt/base/vec.h"
-#include "shprt/sampling/fibonacci_hemisphere.h"
 #include "shprt/scene/occluder_bounds.h"
 #include "shprt/scene/ray_caster.h"
 #include "shprt/transfer/local_horizon.h"
 #include "shprt/transfer/prepared_scene.h"
+#include "shprt/transfer/ray_plan.h"
 #include "shprt/transfer/surface_topology.h"
 
 namespace shprt {
 
-// For the points of one block, one after another; buffers are kept. The arguments must outlive the tracer,
-// and the lattice's groups must be packets of kRayPacketSize.
+// For the points of one block, one after another; buffers are kept. The arguments must outlive the tracer.
 class HemisphereTracer {
  public:
   // spare: leave out rays that cannot meet anything; it changes the time, never the answer.
-  HemisphereTracer(const PreparedScene& prepared, const FibonacciHemisphere& lattice, std::uint64_t seed,
-                   bool spare);
+  HemisphereTracer(const PreparedScene& prepared, const RayPlan& plan, std::uint64_t seed, bool spare);
 
   // Traces the point's rays, which (seed, its first render vertex) fixes, and tells only which of them see
   // the sky.
@@ -43,6 +41,10 @@ class HemisphereTracer {
   // Of the point traced last.
   Vec3d normal() const { return normal_; }
   std::size_t rays() const { return rays_; }
+  // Whether it is exact, with nothing above its tangent plane.
+  bool isUnoccluded() const { return open_ && horizon_.empty(); }
+  std::span<const std::uint8_t> quarters() const { return set_->quarters(); }  // HemisphereSet
+  std::span<const std::uint8_t> sixteenths() const { return set_->sixteenths(); }
   std::size_t visible() const { return visible_; }  // rays that see the sky
   bool seesSky(std::size_t ray) const { return (sky_[ray / kRayPacketSize] >> (ray % kRayPacketSize)) & 1u; }
   // Where a ray that does not see the sky ends; after traceHits.
@@ -51,7 +53,7 @@ class HemisphereTracer {
     const std::size_t lane = ray % kRayPacketSize;
     return {hits.triangle[lane], hits.u[lane], hits.v[lane]};
   }
-  // Unit directions in world space, paddedCount() of the lattice of each.
+  // Unit directions in world space, paddedCount() of the point's set of each.
   const float* x() const { return x_.data(); }
   const float* y() const { return y_.data(); }
   const float* z() const { return z_.data(); }
@@ -72,18 +74,20 @@ class HemisphereTracer {
   const SurfaceTopology& topology_;
   const RayCaster& caster_;
   const OccluderBounds& bounds_;
-  const FibonacciHemisphere& lattice_;
+  const RayPlan& plan_;
   std::uint64_t seed_;
   bool spare_;
   OccluderBounds::Hint hint_ = 0;
   std::uint64_t raysSpared_ = 0, unoccludedPoints_ = 0;
-  std::size_t rays_, visible_ = 0;
+  const HemisphereSet* set_ = nullptr;
+  std::size_t rays_ = 0, packets_ = 0, visible_ = 0;
   Vec3d normal_;
   Vec3f origin_;
   std::span<const std::uint32_t> meeting_;
   std::vector<std::uint32_t> touching_;
   bool open_ = false;  // whether only what touches the point can hide anything
   LocalHorizon horizon_;
+  // For the most rays so far.
   std::vector<float> x_, y_, z_;
   std::vector<std::uint32_t> sky_;   // a bit per ray
   std::vector<RayPacketHits> hits_;  // per packet; empty until traceHits

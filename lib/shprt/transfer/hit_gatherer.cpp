@@ -6,11 +6,10 @@
 namespace shprt {
 
 HitGatherer::HitGatherer(const LightLayout& layout, const LightRows& sources,
-                         std::span<const Triangle> triangles, std::size_t rays)
+                         std::span<const Triangle> triangles)
     : layout_(layout),
       sources_(sources),
       triangles_(triangles),
-      rays_(static_cast<double>(rays)),
       partial_(sources.stride()),
       interpolated_(sources.stride()),
       sums_(sources.stride()) {}
@@ -41,7 +40,7 @@ void HitGatherer::addHit(const CompactHit& hit, const CompactAlbedo& albedo, flo
 }
 
 void HitGatherer::gather(std::span<const CompactHit> hits, std::span<const CompactAlbedo> albedo,
-                         float* row) {
+                         std::size_t rays, float* row) {
   assert(albedo.empty() || albedo.size() == hits.size());
   constexpr std::size_t kFold = 16;
   std::fill(sums_.begin(), sums_.end(), 0.0);
@@ -58,7 +57,7 @@ void HitGatherer::gather(std::span<const CompactHit> hits, std::span<const Compa
       sums_[column] += static_cast<double>(partial_[column]);
   }
   for (std::size_t column = 0; column < sums_.size(); ++column)
-    row[column] = static_cast<float>(sums_[column] / rays_);
+    row[column] = static_cast<float>(sums_[column] / static_cast<double>(rays));
 }
 
 }  // namespace shprt

@@ -13,14 +13,14 @@ namespace shprt {
 // For the points of one block; buffers are kept. The arguments must outlive it.
 class HitGatherer {
  public:
-  // sources: a row per render vertex, which is interpolated inside triangles. rays: of each point, whether
-  // they hit or not.
-  HitGatherer(const LightLayout& layout, const LightRows& sources, std::span<const Triangle> triangles,
-              std::size_t rays);
+  // sources: a row per render vertex, which is interpolated inside triangles.
+  HitGatherer(const LightLayout& layout, const LightRows& sources, std::span<const Triangle> triangles);
 
-  // Writes the mean over rays of the sources where they end, times the albedo there if there is one per hit
-  // (else none). Sums are of fixed order: sixteen hits in float, those in double.
-  void gather(std::span<const CompactHit> hits, std::span<const CompactAlbedo> albedo, float* row);
+  // Writes the mean over `rays` rays, of which these hit, of the sources where they end, times the albedo
+  // there if there is one per hit (else none). Sums are of fixed order: sixteen hits in float, those in
+  // double.
+  void gather(std::span<const CompactHit> hits, std::span<const CompactAlbedo> albedo, std::size_t rays,
+              float* row);
 
  private:
   void addHit(const CompactHit& hit, float* sums) const;
@@ -29,7 +29,6 @@ class HitGatherer {
   const LightLayout& layout_;
   const LightRows& sources_;
   std::span<const Triangle> triangles_;
-  double rays_;
   std::vector<float> partial_, interpolated_;
   std::vector<double> sums_;
 };

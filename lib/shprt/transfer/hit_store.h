@@ -35,11 +35,14 @@ struct CompactAlbedo {
 // The hits of a block of consecutive points.
 struct BlockHits {
   std::vector<std::uint32_t> ends;  // per point of the block, one past its last hit
+  // One past the last of each of its first three quarters of rays (HemisphereSet).
+  std::vector<std::array<std::uint32_t, 3>> quarterEnds;
   std::vector<CompactHit> hits;
   std::vector<CompactAlbedo> albedo;  // per hit in textured scenes, else empty
 
   std::size_t bytes() const {
-    return ends.size() * sizeof ends[0] + hits.size() * sizeof hits[0] + albedo.size() * sizeof albedo[0];
+    return ends.size() * (sizeof ends[0] + sizeof quarterEnds[0]) + hits.size() * sizeof hits[0] +
+           albedo.size() * sizeof albedo[0];
   }
 };
 

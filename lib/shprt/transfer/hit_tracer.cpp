@@ -10,6 +10,7 @@ HitTracer::HitTracer(const Scene& scene, const FrontFaces& fronts, HemisphereTra
 
 RayEnds HitTracer::trace(std::size_t point, BlockHits& hits) {
   const std::size_t firstHit = hits.hits.size(), firstAlbedo = hits.albedo.size();
+  hits.quarterEnds.push_back({});
   tracer_.traceHits(point);
   RayEnds ends = sortRays(hits);
   // Once around, and back to the first step where none is better.
@@ -26,8 +27,17 @@ RayEnds HitTracer::trace(std::size_t point, BlockHits& hits) {
 
 RayEnds HitTracer::sortRays(BlockHits& hits) const {
   RayEnds ends{.sky = tracer_.visible()};
+  for (unsigned quarter = 0; quarter < 4; ++quarter) {
+    sortQuarter(quarter, ends, hits);
+    if (quarter < 3) hits.quarterEnds.back()[quarter] = static_cast<std::uint32_t>(hits.hits.size());
+  }
+  return ends;
+}
+
+void HitTracer::sortQuarter(unsigned quarter, RayEnds& ends, BlockHits& hits) const {
+  const std::span<const std::uint8_t> quarters = tracer_.quarters();
   for (std::size_t ray = 0; ray < tracer_.rays(); ++ray) {
-    if (tracer_.seesSky(ray)) continue;
+    if (quarters[ray] != quarter || tracer_.seesSky(ray)) continue;
     const std::optional<SurfacePoint> front = fronts_.facing(tracer_.hit(ray), tracer_.direction(ray));
     if (!front) {
       ++ends.backs;
@@ -38,7 +48,6 @@ RayEnds HitTracer::sortRays(BlockHits& hits) const {
     if (textured_)
       hits.albedo.push_back(CompactAlbedo::from(scene_.albedoAt(front->triangle, front->u, front->v)));
   }
-  return ends;
 }
 
 }  // namespace shprt

@@ -93,6 +93,7 @@ LightSolution solveLight(const PreparedScene& prepared, const InterreflectedOpti
     }
     addTail(transport, factors, sum);
   }
+  if (options.pointErrors) transport.measureErrors(sum);
   statistics.bounceSeconds = bounceWatch.seconds();
   return {transport.layout(), std::move(sum), std::move(transport).takeLight()};
 }

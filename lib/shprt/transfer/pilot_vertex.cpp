@@ -21,7 +21,7 @@ constexpr std::size_t kClasses = BouncePilot::kBounces + 2;
 
 }  // namespace
 
-PilotTracer::PilotTracer(const PreparedScene& prepared, const FibonacciHemisphere& half,
+PilotTracer::PilotTracer(const PreparedScene& prepared, const HemisphereSet& half,
                          const PilotOptions& options)
     : prepared_(prepared),
       lattice_(half),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shprt/base/vec.h"
-#include "shprt/sampling/fibonacci_hemisphere.h"
+#include "shprt/sampling/hemisphere_set.h"
 #include "shprt/transfer/bounce_pilot.h"
 #include "shprt/transfer/light_path.h"
 #include "shprt/transfer/local_horizon.h"
@@ -37,7 +37,7 @@ struct PilotVertex {
 // One per thread at a time; buffers are kept from vertex to vertex.
 class PilotTracer {
  public:
-  PilotTracer(const PreparedScene& prepared, const FibonacciHemisphere& half, const PilotOptions& options);
+  PilotTracer(const PreparedScene& prepared, const HemisphereSet& half, const PilotOptions& options);
 
   PilotVertex trace(std::uint32_t vertex);
 
@@ -52,7 +52,7 @@ class PilotTracer {
   void multiplyHalves(PilotVertex& result) const;
 
   const PreparedScene& prepared_;
-  const FibonacciHemisphere& lattice_;  // of half the rays
+  const HemisphereSet& lattice_;  // of half the rays
   const PilotOptions& options_;
   UnshadowedTransfer unshadowed_;
   PathFollower follower_;

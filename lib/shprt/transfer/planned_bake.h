@@ -20,7 +20,20 @@ struct BakeRequest {
   double error = 0.01;              // as InterreflectedOptions
   std::uint64_t hitMemory = InterreflectedOptions{}.hitMemory;
   bool traceEverything = false;  // as ShadowedOptions
+  PointSet points = PointSet::kLattice;
+  // Instead of `rays`: as many for each vertex as bring SamplingStatistics::errorBound to this; above 0. Only
+  // for bakes without fit.
+  std::optional<double> samplingError = {};
+  // Instead of `rays`: the least error that a bake of so many seconds can have; above 0.
+  std::optional<double> seconds = {};
+  bool measureError = false;  // fill Bake::error and SamplingStatistics, whatever fixes the rays
 };
+
+// An error that is to cover everything: half of it for what effects and bounces leave out, the rest for
+// sampling; squares add up.
+BakeRequest requestForError(BakeRequest request, double error);
+// The error of such a request.
+double errorAskedFor(const BakeRequest& request);
 
 // What the plan recommends, as far as it has a say; the rest as in `asked`. A number of bounces that was
 // asked for stays.

@@ -6,7 +6,7 @@
 namespace shprt {
 
 SampleTracer::SampleTracer(const PreparedScene& prepared, const FrontFaces& fronts,
-                           const FibonacciHemisphere& lattice, std::uint64_t seed)
+                           const HemisphereSet& lattice, std::uint64_t seed)
     : topology_(prepared.topology),
       caster_(prepared.caster),
       frontFaces_(fronts),

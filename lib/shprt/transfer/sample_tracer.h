@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "shprt/base/vec.h"
-#include "shprt/sampling/fibonacci_hemisphere.h"
+#include "shprt/sampling/hemisphere_set.h"
 #include "shprt/scene/ray_caster.h"
 #include "shprt/transfer/facet.h"
 #include "shprt/transfer/front_faces.h"
@@ -32,7 +32,7 @@ namespace shprt {
 // and the lattice's groups must be packets of kRayPacketSize.
 class SampleTracer {
  public:
-  SampleTracer(const PreparedScene& prepared, const FrontFaces& fronts, const FibonacciHemisphere& lattice,
+  SampleTracer(const PreparedScene& prepared, const FrontFaces& fronts, const HemisphereSet& lattice,
                std::uint64_t seed);
 
   // Traces a sample's rays, which (seed, index) fixes, and tells only which of them see the sky.
@@ -79,7 +79,7 @@ class SampleTracer {
   const SurfaceTopology& topology_;
   const RayCaster& caster_;
   const FrontFaces& frontFaces_;
-  const FibonacciHemisphere& lattice_;
+  const HemisphereSet& lattice_;
   std::uint64_t seed_;
   std::optional<Facet> facet_;
   Vec3d normal_;

@@ -39,7 +39,7 @@ class SampleBaker {
       : scene_(prepared.scene), tracer_(std::move(tracer)), direct_(degree, unshadowed) {
     if (!surroundings) return;
     layout_ = surroundings->layout;
-    gatherer_.emplace(layout_, surroundings->sent, prepared.topology.triangles(), tracer_.rays());
+    gatherer_.emplace(layout_, surroundings->sent, prepared.topology.triangles());
     light_.resize(surroundings->sent.stride());
   }
 
@@ -71,7 +71,7 @@ class SampleBaker {
       if (!scene_.textures.empty())
         albedo_.push_back(CompactAlbedo::from(scene_.albedoAt(hit.triangle, hit.u, hit.v)));
     }
-    gatherer_->gather(hits_, albedo_, light_.data());
+    gatherer_->gather(hits_, albedo_, tracer_.rays(), light_.data());
     std::copy_n(light_.begin(), row.size(), row.begin());
     if (!layout_.emission) return;
     const Vec3f emission = meanEmission(scene_, hits_, tracer_.rays());

@@ -19,30 +19,24 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 // In closed rooms most points see nothing, and few of them are buried: a glance of so many rays tells those
-// that meet too few backs from those that are worth more. What decides are shares of rays, so no more than
-// the second number are needed.
-constexpr int kGlanceRays = 16, kMostRays = 64;
-
-bool isWorthMore(const RayEnds& glance) {
-  return 16 * glance.backs > glance.count();  // half of what makes a point likely enough to be buried
-}
+// that meet too few backs from those that are worth more.
+constexpr int kGlanceRays = 16;
 
 std::vector<std::uint8_t> findBuried(const PreparedScene& prepared, const ShadowedOptions& options,
                                      std::span<const std::uint32_t> hidden) {
-  const FibonacciHemisphere glanceLattice(std::min(options.rays, kGlanceRays), kRayPacketSize),
-      lattice(std::min(options.rays, kMostRays), kRayPacketSize);
+  const RayPlan glancePlan(options.points, kGlanceRays), plan(options.points, kBurialRays);
   BuriedSearch search;
   std::mutex searchMutex;
   parallelForBlocks(hidden.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    const auto makeTracer = [&](const FibonacciHemisphere& directions) {
+    const auto makeTracer = [&](const RayPlan& rays) {
       return HitTracer(prepared.scene, prepared.fronts(),
-                       HemisphereTracer(prepared, directions, options.seed, !options.traceEverything));
+                       HemisphereTracer(prepared, rays, kBurialSeed, !options.traceEverything));
     };
-    HitTracer glance = makeTracer(glanceLattice), tracer = makeTracer(lattice);
+    HitTracer glance = makeTracer(glancePlan), tracer = makeTracer(plan);
     BuriedSearch searchInBlock;
     for (const std::uint32_t point : hidden.subspan(begin, end - begin)) {
       BlockHits ignored, hits;
-      if (!isWorthMore(glance.trace(point, ignored))) continue;
+      if (!glance.trace(point, ignored).mightBeBuried()) continue;
       const RayEnds ends = tracer.trace(point, hits);
       if (ends.mayBeBuried()) searchInBlock.add(point, ends, hits.hits);
     }
@@ -54,20 +48,22 @@ std::vector<std::uint8_t> findBuried(const PreparedScene& prepared, const Shadow
 
 }  // namespace
 
-void fillBuried(const PreparedScene& prepared, const FibonacciHemisphere& lattice,
-                const ShadowedOptions& options, std::span<const std::uint32_t> hidden,
-                const StoreBuried& store) {
-  const std::vector<std::uint8_t> isBuried = findBuried(prepared, options, hidden);
+void fillBuried(const PreparedScene& prepared, const RayPlan& plan, const ShadowedOptions& options,
+                std::span<const std::uint32_t> hidden, const StoreBuried& store) {
+  std::vector<std::uint8_t> found;
+  std::vector<std::uint8_t>& isBuried = options.burials ? *options.burials : found;
+  if (isBuried.empty()) isBuried = findBuried(prepared, options, hidden);
   BuriedPoints buried(prepared.topology, isBuried);
   if (buried.none()) return;
+  if (options.pointErrors) buried.fill(options.pointErrors->squares);
   const std::vector<std::uint32_t> points = buried.renumber();
 
   // Neighbours are traced once more: that is cheaper than to keep the transfer of all points.
   LightRows rows(points.size(), static_cast<std::size_t>(coefficientCount(options.degree)));
   const UnshadowedTransfer unshadowed(options.degree);
   parallelForBlocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    HemisphereTracer tracer(prepared, lattice, options.seed, !options.traceEverything);
-    DirectTransfer direct(options.degree, unshadowed);
+    HemisphereTracer tracer(prepared, plan, options.seed, !options.traceEverything && options.controlVariate);
+    DirectTransfer direct(options.degree, unshadowed, options.controlVariate);
     for (std::size_t i = begin; i < end; ++i) {
       if (isBuried[points[i]]) continue;
       tracer.traceVisibility(points[i]);
