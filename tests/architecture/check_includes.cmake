@@ -17,7 +17,8 @@ set(light_may image sampling sh coefficients)
 set(relight_may coefficients light sh)
 set(picture_may scene mesh image coefficients relight)
 set(report_may image sh coefficients transfer light relight)
-set(tools_may base sh codegen sampling image mesh scene coefficients transfer light relight picture report)
+set(study_may sh sampling image mesh scene coefficients transfer light relight report)
+set(tools_may base sh codegen sampling image mesh scene coefficients transfer light relight picture report study)
 
 # third-party prefix -> the files that may include it
 set(doors

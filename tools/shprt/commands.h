@@ -12,6 +12,7 @@ using Command = std::function<int()>;
 
 void addBakeCommand(CLI::App& app, Command& chosen);
 void addPlanCommand(CLI::App& app, Command& chosen);
+void addStudyCommand(CLI::App& app, Command& chosen);
 void addProjectProbeCommand(CLI::App& app, Command& chosen);
 void addRelightCommand(CLI::App& app, Command& chosen);
 void addConvertCommand(CLI::App& app, Command& chosen);

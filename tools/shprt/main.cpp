@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   shprt::Command chosen;
   shprt::addBakeCommand(app, chosen);
   shprt::addPlanCommand(app, chosen);
+  shprt::addStudyCommand(app, chosen);
   shprt::addProjectProbeCommand(app, chosen);
   shprt::addRelightCommand(app, chosen);
   shprt::addConvertCommand(app, chosen);
