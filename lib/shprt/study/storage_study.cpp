@@ -4,12 +4,11 @@
 
 #include <cmath>
 
-#include "shprt/base/version.h"
 #include "shprt/coefficients/asset_file.h"
-#include "shprt/coefficients/select_vertices.h"
 #include "shprt/study/curve_effort.h"
 #include "shprt/study/reference.h"
 #include "shprt/study/section_parts.h"
+#include "shprt/study/study_bake.h"
 #include "shprt/study/temporary_folder.h"
 #include "shprt/transfer/planned_bake.h"
 #include "shprt/transfer/stopwatch.h"
@@ -42,28 +41,6 @@ BakeRequest defaultRequest(const StudyRun& run) {
                                .rays = run.options.rays,
                                .seed = run.options.seed,
                                .error = run.options.error});
-}
-
-// What `bake` stores with the default settings, provenance aside.
-TransferAsset bakeAsset(const StudyRun& run) {
-  const Scene& scene = run.prepared.scene;
-  const BakeRequest request = defaultRequest(run);
-  Bake bake = bakeRequested(run.prepared, request);
-  TransferAsset asset;
-  asset.metadata.toolVersion = kVersion;
-  asset.metadata.model = request.model;
-  asset.metadata.rays = request.model == "unshadowed" ? 0 : request.rays;
-  asset.metadata.seed = request.seed;
-  if (request.model == "interreflected")
-    asset.metadata.bounces = static_cast<int>(bake.statistics.bounces.size());
-  asset.transfer = std::move(bake.transfer);
-  asset.emission = std::move(bake.emission);
-  asset.positions = scene.mesh.positions;
-  asset.normals = scene.mesh.normals;
-  asset.albedo = scene.albedo;
-  asset.textureCoordinates = scene.mesh.textureCoordinates;
-  asset.triangles = scene.mesh.triangles;
-  return selectVertices(std::move(asset), receiverVertices(scene));
 }
 
 StorageMeasurement measureStorage(const TransferAsset& asset, const WriteAssetOptions& options) {
@@ -113,7 +90,7 @@ std::string describe(const std::vector<StorageMeasurement>& measured) {
 
 StudySection measureSection(StudyRun& run) {
   const BakeRequest request = defaultRequest(run);
-  Lazy<TransferAsset> asset([&run] { return bakeAsset(run); });
+  Lazy<TransferAsset> asset([&run] { return bakeForStudy(run, defaultRequest(run)).asset; });
   StudySection section = beginSection("storage", "Error against storage");
   StudyTable table{"storage",
                    "Assets on disk",

@@ -8,20 +8,10 @@
 #include "shprt/base/version.h"
 #include "shprt/coefficients/select_vertices.h"
 #include "shprt/relight/relight.h"
+#include "shprt/study/reference.h"
 #include "shprt/transfer/stopwatch.h"
 
 namespace shprt {
-namespace {
-
-std::vector<std::uint32_t> receiversOf(const Scene& scene) {
-  std::vector<std::uint32_t> receivers;
-  for (std::uint32_t vertex = 0; vertex < scene.mesh.positions.size(); ++vertex)
-    if (scene.isReceiver(vertex)) receivers.push_back(vertex);
-  return receivers;
-}
-
-}  // namespace
-
 StudyBake bakeForStudy(const StudyRun& run, const BakeRequest& request) {
   const Scene& scene = run.prepared.scene;
   const Stopwatch watch;
@@ -40,7 +30,7 @@ StudyBake bakeForStudy(const StudyRun& run, const BakeRequest& request) {
   asset.triangles = scene.mesh.triangles;
   asset.metadata.toolVersion = kVersion;
   asset.metadata.model = request.model;
-  result.asset = selectVertices(std::move(asset), receiversOf(scene));
+  result.asset = selectVertices(std::move(asset), receiverVertices(scene));
   return result;
 }
 
